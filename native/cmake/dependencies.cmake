@@ -18,6 +18,9 @@ find_package(CGAL 5.5 REQUIRED)
 add_library(curveups_cgal INTERFACE)
 target_link_libraries(curveups_cgal INTERFACE CGAL::CGAL)
 
+# Ceres: least squares with robust losses, used by geometry/registration.cpp alone.
+find_package(Ceres 2.1 REQUIRED)
+
 # Clipper: unions and offsets of plane polygons, used by bodies alone.
 find_path(CLIPPER_INCLUDE polyclipping/clipper.hpp REQUIRED)
 find_library(CLIPPER_LIBRARY polyclipping REQUIRED)

@@ -1321,20 +1321,12 @@
       <translation>„{0}“ ist kein Punkt eines Scans</translation>
     </message>
     <message>
-      <source>'{0}' is no price</source>
-      <translation>„{0}“ ist kein Preis</translation>
-    </message>
-    <message>
       <source>'{0}' is no setting</source>
       <translation>„{0}“ ist keine Einstellung</translation>
     </message>
     <message>
       <source>'{0}' is no tile</source>
       <translation>„{0}“ ist keine Kachel</translation>
-    </message>
-    <message>
-      <source>'{0}' is nothing that can be measured</source>
-      <translation>„{0}“ ist nichts, was gemessen werden kann</translation>
     </message>
     <message>
       <source>* an estimate: the layout may do a little better or worse</source>
@@ -1583,10 +1575,6 @@
     <message>
       <source>actuated tiles overlap by {value:.3g mm3} ({at})</source>
       <translation>Kacheln in Form überlappen um {value:.3g mm3} ({at})</translation>
-    </message>
-    <message>
-      <source>add {0} of the sheet before it is stretched</source>
-      <translation>{0} der Bahn vor dem Dehnen hinzufügen</translation>
     </message>
     <message>
       <source>all corners of the surface lie in one point</source>
@@ -1957,10 +1945,6 @@
       <translation>edges ist keine Liste von Paaren von Punktnummern</translation>
     </message>
     <message>
-      <source>estimating hours and price</source>
-      <translation>Stunden und Preis schätzen</translation>
-    </message>
-    <message>
       <source>export in millimetres</source>
       <translation>in Millimetern exportieren</translation>
     </message>
@@ -2133,10 +2117,6 @@
       <translation>geben Sie eine Zahl über 0 N an, höchstens {0} N</translation>
     </message>
     <message>
-      <source>give a number, 0 or more, as hour=2.5</source>
-      <translation>eine Zahl ab 0 angeben, etwa hour=2.5</translation>
-    </message>
-    <message>
       <source>give a number, a text or true or false</source>
       <translation>eine Zahl, einen Text, true oder false angeben</translation>
     </message>
@@ -2221,10 +2201,6 @@
       <translation>in einfachen Buchstaben angeben</translation>
     </message>
     <message>
-      <source>give it one, as currency=USD</source>
-      <translation>ihr einen geben, etwa currency=USD</translation>
-    </message>
-    <message>
       <source>give its corners counter-clockwise, in mm</source>
       <translation>seine Ecken gegen den Uhrzeigersinn angeben, in mm</translation>
     </message>
@@ -2241,8 +2217,8 @@
       <translation>name=value angeben</translation>
     </message>
     <message>
-      <source>give objects with {0}</source>
-      <translation>Objekte mit {0} angeben</translation>
+      <source>give one a point</source>
+      <translation>eines je Punkt angeben</translation>
     </message>
     <message>
       <source>give one flag per edge</source>
@@ -2295,10 +2271,6 @@
     <message>
       <source>give some of {0} to {1}</source>
       <translation>einige von {0} bis {1} angeben</translation>
-    </message>
-    <message>
-      <source>give some of {0}, as hour=2.5</source>
-      <translation>einige von {0} angeben, etwa hour=2.5</translation>
     </message>
     <message>
       <source>give step, stl or 3mf</source>
@@ -2375,10 +2347,6 @@
     <message>
       <source>held by the {obstacle} of {at}</source>
       <translation>festgehalten von {obstacle} an {at}</translation>
-    </message>
-    <message>
-      <source>held has no times that are apart</source>
-      <translation>held hat keine Zeiten, die auseinander liegen</translation>
     </message>
     <message>
       <source>held_tiles names {0}, but there are {1} tiles</source>
@@ -2637,10 +2605,6 @@
       <translation>die Fläche reparieren oder als Netz exportieren</translation>
     </message>
     <message>
-      <source>mend this measurement</source>
-      <translation>diese Messung berichtigen</translation>
-    </message>
-    <message>
       <source>mending left {at:6} with too little room for pins or under membranes</source>
       <translation>Das Ausbessern ließ {at:6} zu wenig Platz für Zapfen oder unter Membranen</translation>
     </message>
@@ -2799,10 +2763,6 @@
     <message>
       <source>nothing carries the piece of {tile}: it does not reach the ground, where the lowest piece rests</source>
       <translation>Nichts trägt das Stück von {tile}: es reicht nicht bis zum Boden, auf dem das tiefste Stück ruht</translation>
-    </message>
-    <message>
-      <source>nothing is measured</source>
-      <translation>nichts ist gemessen</translation>
     </message>
     <message>
       <source>nothing of the part has {0} {1} {2}</source>
@@ -2999,10 +2959,6 @@
     <message>
       <source>raise tau, or lower p_max so that pins pull more strongly</source>
       <translation>tau erhöhen oder p_max verringern, damit Zapfen stärker ziehen</translation>
-    </message>
-    <message>
-      <source>read the force over an hour or more</source>
-      <translation>die Kraft über eine Stunde oder länger ablesen</translation>
     </message>
     <message>
       <source>reading the target</source>
@@ -3329,10 +3285,6 @@
       <translation>das System der konformen Abbildung ist nicht positiv definit</translation>
     </message>
     <message>
-      <source>the currency has no name</source>
-      <translation>die Währung hat keinen Namen</translation>
-    </message>
-    <message>
       <source>the cuts changed since the layout was solved: Solve brings it up to date</source>
       <translation>die Schnitte haben sich seit der Abwicklung geändert: „Lösen“ bringt es auf den neuesten Stand</translation>
     </message>
@@ -3625,10 +3577,6 @@
       <translation>der Linienzug hat keine Punkte</translation>
     </message>
     <message>
-      <source>the price {0} is '{1}'</source>
-      <translation>der Preis {0} ist „{1}“</translation>
-    </message>
-    <message>
       <source>the print ({x:.0f mm} x {y:.0f mm} x {z:.0f mm}) is larger than the bed of a {printer}</source>
       <translation>Der Druck ({x:.0f mm} x {y:.0f mm} x {z:.0f mm}) ist größer als das Bett eines {printer}</translation>
     </message>
@@ -3823,6 +3771,10 @@
     <message>
       <source>there are no tiles to cut between yet</source>
       <translation>es gibt noch keine Kacheln, zwischen denen man schneiden könnte</translation>
+    </message>
+    <message>
+      <source>there are not as many targets as points</source>
+      <translation>es gibt nicht so viele Ziele wie Punkte</translation>
     </message>
     <message>
       <source>there are {0} cut flags for {1} edges</source>
@@ -4159,18 +4111,6 @@
     <message>
       <source>{0} is no UTF-8 text</source>
       <translation>{0} ist kein UTF-8-Text</translation>
-    </message>
-    <message>
-      <source>{0} is no list of three or more measurements</source>
-      <translation>{0} ist keine Liste von drei oder mehr Messungen</translation>
-    </message>
-    <message>
-      <source>{0} is no number from {1} to {2}</source>
-      <translation>{0} ist keine Zahl von {1} bis {2}</translation>
-    </message>
-    <message>
-      <source>{0} needs {1}</source>
-      <translation>{0} braucht {1}</translation>
     </message>
     <message>
       <source>{0} points can't be laid onto a surface</source>
@@ -4510,28 +4450,12 @@
       <translation>So wie gedruckt wurde, liegt die {side} oben.</translation>
     </message>
     <message>
-      <source>Bridges that break</source>
-      <translation>Brücken, die brechen</translation>
-    </message>
-    <message>
       <source>Bring pieces together in shape and sew them along their borders</source>
       <translation>Die Stücke in Form zusammenlegen und an ihren Rändern vernähen</translation>
     </message>
     <message>
-      <source>Coupons</source>
-      <translation>Prüfkörper</translation>
-    </message>
-    <message>
       <source>Cut both sheets out of their rings together</source>
       <translation>Beide Folien gemeinsam aus den Ringen schneiden</translation>
-    </message>
-    <message>
-      <source>Cut both strips along the outer lines. Bars clamp them from the inner lines outwards.</source>
-      <translation>Beide Streifen entlang der äußeren Linien schneiden. Leisten klemmen sie von den inneren Linien nach außen.</translation>
-    </message>
-    <message>
-      <source>Cut both strips along the template, of the sheets for the membranes. Measure the thickness over ten layers. Stretch each twice to {tau:g} times its length beforehand. Clamp its ends between two bars with two bolts of M4 in their holes, from line to line of the template. Pull the narrow strip to each stretch: {lengths} mm from bar to bar, and enter the force after a minute; some {narrow:.0f} N at the last. So with the wide one: {wide_lengths} mm, some {wide:.0f} N; its width can't shrink, so latex is stretched in both directions there. Then leave the narrow strip at {tau:g} times its length and read the force at the minutes that are listed: latex creeps. What a day leaves goes into no design by itself: both sheets lose alike, so stretch both at the same time. Wear goggles: a strip that tears snaps back.</source>
-      <translation>Beide Streifen nach der Schablone aus den Folien für die Membranen schneiden. Die Dicke über zehn Lagen messen. Jeden vorher zweimal auf das {tau:g}-Fache seiner Länge dehnen. Die Enden zwischen je zwei Leisten mit zwei Schrauben M4 in deren Löchern klemmen, von Linie zu Linie der Schablone. Den schmalen Streifen auf jede Dehnung ziehen: {lengths} mm von Leiste zu Leiste, und nach einer Minute die Kraft eintragen; zuletzt etwa {narrow:.0f} N. Ebenso den breiten: {wide_lengths} mm, etwa {wide:.0f} N; seine Breite kann nicht schrumpfen, so ist das Latex dort in beiden Richtungen gedehnt. Dann den schmalen Streifen beim {tau:g}-Fachen seiner Länge lassen und die Kraft zu den angegebenen Minuten ablesen: Latex kriecht. Was nach einem Tag übrig ist, geht von selbst in keinen Entwurf ein: beide Folien verlieren gleich viel, also beide zur selben Zeit dehnen. Schutzbrille tragen: ein Streifen, der reißt, schnellt zurück.</translation>
     </message>
     <message>
       <source>Cut the front membrane along its lines, which were {trim:g} mm outside of the outer pins while it was stretched, and the back one as far outside of its own pins. {stop} Anchors go with the surplus. {apart}</source>
@@ -4558,12 +4482,8 @@
       <translation>Nicht skalieren, drehen oder anordnen: die Körper stehen an ihren Plätzen, und {tiles} davon sollen getrennt sein.</translation>
     </message>
     <message>
-      <source>Each page says how one coupon is measured, and has a table for what you read. Then put the readings into {name}-MEASURED.json, in place of null, in the units of the names. What stays null is left out. Give three readings of a list or more, or none.</source>
-      <translation>Jede Seite sagt, wie ein Prüfkörper gemessen wird, und hat eine Tabelle für die Ablesungen. Diese dann in {name}-MEASURED.json anstelle von null eintragen, in den Einheiten der Namen. Was null bleibt, wird ausgelassen. Von einer Liste drei Ablesungen oder mehr angeben, oder keine.</translation>
-    </message>
-    <message>
-      <source>Each piece has its own former, from the left to the right, and its own ribs.</source>
-      <translation type="unfinished" />
+      <source>Each piece has its own former, from the left to the right.</source>
+      <translation>Jedes Stück hat seinen eigenen Formkörper, von links nach rechts.</translation>
     </message>
     <message>
       <source>FDM printer, 0.4 mm nozzle</source>
@@ -4582,44 +4502,20 @@
       <translation>Rändern, Löchern und Schnitten folgen. Wo die Zeichnung kleine Kreise hat, diese zuerst ausstanzen: sie verhindern, dass ein Schnitt weiterreißt.</translation>
     </message>
     <message>
-      <source>For PrusaSlicer there is the same, with prusa in the name and an extruder for each material.</source>
-      <translation>Für PrusaSlicer gibt es dasselbe mit prusa im Namen und einem Extruder für jedes Material.</translation>
-    </message>
-    <message>
       <source>For {paper} paper: print at 100 % (“actual size”), not fitted to the page; measure the ruler.</source>
       <translation>Für Papier {paper}: mit 100 % („tatsächliche Größe“) drucken, nicht an die Seite angepasst; das Lineal nachmessen.</translation>
+    </message>
+    <message>
+      <source>Former</source>
+      <translation>Formkörper</translation>
     </message>
     <message>
       <source>Frame</source>
       <translation>Rahmen</translation>
     </message>
     <message>
-      <source>Friction of bare walls</source>
-      <translation>Reibung glatter Wände</translation>
-    </message>
-    <message>
-      <source>Friction of walls with bumps</source>
-      <translation>Reibung von Wänden mit Noppen</translation>
-    </message>
-    <message>
-      <source>Friction of walls with dimples</source>
-      <translation>Reibung von Wänden mit Mulden</translation>
-    </message>
-    <message>
-      <source>Gaps of 0.2 to 0.6 mm</source>
-      <translation>Spalte von 0.2 bis 0.6 mm</translation>
-    </message>
-    <message>
       <source>Glue</source>
       <translation>Kleber</translation>
-    </message>
-    <message>
-      <source>Glue a strip of the latex, 80 × 25 mm and not stretched, onto the front pins as the assembly sheet says. Take the support away and let all dry as there. Hold the latex flat on a table and pull one tile after the other along it, by a thread around its walls, until its pin comes off. Enter the largest force of each; each pin has {pin:.1f} mm². {asked} Then glue another strip onto the back pins, wash and dry them as before, and hold the tiles down. Pull the strip straight up, so that it peels off each pin from a corner towards the side that faces it. Enter the largest force of each (peel): there the glue gives way along that side, {side:.1f} mm. {peel}</source>
-      <translation>Einen Streifen des Latex, 80 × 25 mm und nicht gedehnt, auf die vorderen Zapfen kleben, wie es die Montageanleitung sagt. Die Stützen entfernen und alles trocknen lassen, wie dort. Das Latex flach auf einen Tisch halten und eine Kachel nach der anderen daran entlangziehen, mit einem Faden um ihre Wände, bis ihr Zapfen abgeht. Von jeder die größte Kraft eintragen; jeder Zapfen hat {pin:.1f} mm². {asked} Dann einen weiteren Streifen auf die hinteren Zapfen kleben, waschen und trocknen wie zuvor und die Kacheln festhalten. Den Streifen gerade nach oben ziehen, sodass er sich von jedem Zapfen von einer Ecke zur gegenüberliegenden Seite hin abschält. Von jedem die größte Kraft eintragen (peel): dort gibt der Kleber entlang dieser Seite nach, {side:.1f} mm. {peel}</translation>
-    </message>
-    <message>
-      <source>Glue on pins, after the support went</source>
-      <translation>Kleber auf Zapfen, nach dem Entfernen der Stützen</translation>
     </message>
     <message>
       <source>Glue the {first} first</source>
@@ -4630,20 +4526,8 @@
       <translation>Die Zapfen der {second} und das andere Ende der Anker kleben</translation>
     </message>
     <message>
-      <source>Growth of the printer</source>
-      <translation>Zugabe des Druckers</translation>
-    </message>
-    <message>
-      <source>Growth of walls in XY that does no harm</source>
-      <translation>Wachsen der Wände in XY, das nicht schadet</translation>
-    </message>
-    <message>
       <source>Help with your hands where it stays flat, from the middle outwards.</source>
       <translation>Wo sie flach bleibt, von der Mitte nach außen mit den Händen nachhelfen.</translation>
-    </message>
-    <message>
-      <source>Hold one tile of the row after the other in the fingers or a vice, and pull its neighbour up with a thread around it, at right angles to the row, until the bridges between them break. Enter the largest force of each. It compares shops and printers: no design computes with it.</source>
-      <translation>Eine Kachel der Reihe nach der anderen mit den Fingern oder in einem Schraubstock halten und ihre Nachbarin mit einem Faden senkrecht zur Reihe hochziehen, bis die Brücken dazwischen brechen. Jeweils die größte Kraft eintragen. Damit vergleicht man Druckdienste und Drucker: kein Entwurf rechnet damit.</translation>
     </message>
     <message>
       <source>Join the pieces</source>
@@ -4706,10 +4590,6 @@
       <translation>Material</translation>
     </message>
     <message>
-      <source>Measure both widths of each of the three blocks by calliper, in their middles and away from the side that lay on the bed. Half of what they are wider is what each wall grows: the parameter xy_compensation.</source>
-      <translation>Beide Breiten jedes der drei Blöcke mit dem Messschieber messen, in ihrer Mitte und abseits der Seite, die auf dem Bett lag. Um die Hälfte dessen, was sie breiter sind, wächst jede Wand: der Parameter xy_compensation.</translation>
-    </message>
-    <message>
       <source>Nothing joins the tiles: keep each in its place, on the bed's plate or on adhesive film.</source>
       <translation>Nichts verbindet die Kacheln: jede an ihrem Platz lassen, auf der Bettplatte oder auf Klebefolie.</translation>
     </message>
@@ -4762,10 +4642,6 @@
       <translation>Druck</translation>
     </message>
     <message>
-      <source>Print the coupons before the design is ordered, as it will be printed: on the same printer, of the same materials, the same way up. STEP and 3MF have all bodies in place, STL has tiles and support apart.</source>
-      <translation>Die Prüfkörper drucken, bevor der Entwurf bestellt wird, und so, wie er gedruckt wird: auf demselben Drucker, aus denselben Materialien, mit derselben Seite nach oben. STEP und 3MF haben alle Körper an ihrem Platz, STL hat Kacheln und Stützen getrennt.</translation>
-    </message>
-    <message>
       <source>Print the drawing {name}-frame.pdf at 100 %, and hold the {parts} parts on it by thin double-sided tape below them, their {first} up, tile on tile, by their numbers ({which}). A part matches the drawing with its {first} up alone. Gaps between parts are {opening:g} mm wider than those inside of them, and no tile may be more than {error:g} mm off its place. The first membrane is glued over all of them at once.</source>
       <translation type="unfinished" />
     </message>
@@ -4774,16 +4650,8 @@
       <translation>Verglichen mit dem Drucker</translation>
     </message>
     <message>
-      <source>Push feeler gauges through each gap of the comb, on the side that lay on the bed, where the first layers swell. Enter the thickest that passes all along, and 0 where none does. The gaps get wider from the left to the right. Do not order a design whose least clearance (its shop sheet has it) is below the first gap that is open: its d_gap_min has to be larger.</source>
-      <translation>Fühlerlehren durch jeden Spalt des Kamms schieben, auf der Seite, die auf dem Bett lag, wo die ersten Schichten quellen. Die dickste eintragen, die überall hindurchgeht, und 0, wo keine es tut. Die Spalte werden von links nach rechts breiter. Keinen Entwurf bestellen, dessen kleinster Abstand (er steht auf dem Bestellblatt) unter dem ersten offenen Spalt liegt: sein d_gap_min muss größer sein.</translation>
-    </message>
-    <message>
       <source>Quantity</source>
       <translation>Anzahl</translation>
-    </message>
-    <message>
-      <source>Ribs or former</source>
-      <translation>Rippen oder Formkörper</translation>
     </message>
     <message>
       <source>Rigid material</source>
@@ -4830,10 +4698,6 @@
       <translation>Spannringe</translation>
     </message>
     <message>
-      <source>Strips of latex</source>
-      <translation>Latexstreifen</translation>
-    </message>
-    <message>
       <source>Support material</source>
       <translation>Stützmaterial</translation>
     </message>
@@ -4842,12 +4706,8 @@
       <translation>Vorsicht mit den Kacheln der schwächsten Kontakte: {worst}.</translation>
     </message>
     <message>
-      <source>Take the bath that the shop names for its support, if latex and glue of the coupon have stood it, and a tub that holds the ring. The membrane stays on its ring while it is washed and dries</source>
-      <translation>Das Bad nehmen, das der Druckdienst für sein Stützmaterial nennt, wenn Latex und Kleber des Prüfkörpers es vertragen haben, und eine Wanne, in die der Ring passt. Die Membran bleibt auf ihrem Ring, während sie gewaschen wird und trocknet</translation>
-    </message>
-    <message>
-      <source>Take the support away as from the design. Tape the larger tile to a board, on its wall that is {angle:g}° off the wall between the tiles. Lay the smaller tile on that wall as both were printed. Raise the board slowly until the tile slides, and enter the slope of the wall: that of the board and {angle:g}°. Lay it on again each time. {own}</source>
-      <translation>Die Stützen entfernen wie beim Entwurf. Die größere Kachel mit Klebeband auf ein Brett kleben, auf ihrer Wand, die {angle:g}° gegen die Wand zwischen den Kacheln geneigt ist. Die kleinere Kachel so auf diese Wand legen, wie beide gedruckt wurden. Das Brett langsam heben, bis die Kachel rutscht, und die Neigung der Wand eintragen: die des Bretts und {angle:g}°. Jedes Mal neu auflegen. {own}</translation>
+      <source>Take the bath that the shop names for its support, if scraps of the latex and the glue have stood it, and a tub that holds the ring. The membrane stays on its ring while it is washed and dries</source>
+      <translation>Das Bad nehmen, das der Druckdienst für sein Stützmaterial nennt, wenn Reste von Latex und Kleber es vertragen haben, und eine Wanne, in die der Ring passt. Die Membran bleibt auf ihrem Ring, während sie gewaschen wird und trocknet</translation>
     </message>
     <message>
       <source>Take {latex}. Wash powder and grease off with lukewarm water and a drop of dish soap, rinse the sheets and let them dry. Pull each by hand to some {tau:g} times its size and let it go, twice: latex softens the first time. Then copy the template of each onto it: lay thin latex on the paper and trace what shows through, or use carbon paper. Draw the grid, the circles, the control squares and the cutting line with a pen whose ink stays on latex, and write FRONT or BACK on the rim. Cut along the outer line. Punch a hole of {punch:g} mm in every circle, with a sharp punch: latex tears on from a nick. Wear gloves. Keep the sheets away from oil, from sun and from whoever is allergic to latex.</source>
@@ -4862,18 +4722,6 @@
       <translation>Der berechnete Weg aus der Ebene sagt: {said}.</translation>
     </message>
     <message>
-      <source>The design asks for {shear:.2f} MPa where its pins or anchors carry most: a glue that holds less is not for it.</source>
-      <translation>Der Entwurf braucht {shear:.2f} MPa, wo seine Zapfen oder Anker am meisten tragen: ein Kleber, der weniger hält, taugt nicht für ihn.</translation>
-    </message>
-    <message>
-      <source>The design has other walls: leave these slopes out of MEASURED.json.</source>
-      <translation>Der Entwurf hat andere Wände: diese Neigungen nicht in MEASURED.json eintragen.</translation>
-    </message>
-    <message>
-      <source>The membrane peels with up to {peel:.2f} N/mm.</source>
-      <translation>Die Membran schält mit bis zu {peel:.2f} N/mm.</translation>
-    </message>
-    <message>
       <source>The membrane stays on its ring</source>
       <translation>Die Membran bleibt auf ihrem Ring</translation>
     </message>
@@ -4884,10 +4732,6 @@
     <message>
       <source>The parts lie with their {first} up</source>
       <translation>Die Teile liegen mit ihrer {first} nach oben</translation>
-    </message>
-    <message>
-      <source>The piece holds even where the pins of {tiles} let go: they are too small for what they carry.</source>
-      <translation>Das Stück hält auch, wenn die Zapfen von {tiles} sich lösen: sie sind zu klein für das, was sie tragen.</translation>
     </message>
     <message>
       <source>The sheet pulls with {load[0]:.0f} N at the left and right sides and {load[1]:.0f} N at the others. The print comes into the middle of the window; some millimetres beside it do no harm.</source>
@@ -4904,10 +4748,6 @@
     <message>
       <source>Tilt the whole of it by 30° to 45°, so that no layer is peeled off the vat by its whole area, on supports of the slicer's, which touch the side on the bed alone. Wash, take these supports off, and cure with the bridges on.</source>
       <translation>Das Ganze um 30° bis 45° neigen, damit keine Schicht mit ihrer ganzen Fläche von der Wanne abgezogen wird, auf Stützen des Slicers, die nur die Seite am Bett berühren. Waschen, diese Stützen abnehmen und mit den Brücken aushärten.</translation>
-    </message>
-    <message>
-      <source>Time and cost of one print</source>
-      <translation>Dauer und Kosten eines Drucks</translation>
     </message>
     <message>
       <source>To be printed</source>
@@ -4938,8 +4778,8 @@
       <translation>Das Latex waschen und anzeichnen</translation>
     </message>
     <message>
-      <source>When the glue holds, turn all over, so that the front sheet is up. Print {name}-trim.pdf at 100 %, cut the paper to the size of the window, lay it on the front sheet with its triangles on the outer pins, which you feel through it, and copy its lines onto the sheet. {each} Then cut both sheets at once with strong scissors along the inside of the window, outside of the anchors, a few centimetres at each side in turn: so they let go together. The shell pulls itself into shape. {hands} Lay it with its back onto the kit's former, or its ribs: where it does not touch, it is not in shape yet. {own}</source>
-      <translation>Wenn der Kleber hält, alles wenden, sodass die vordere Folie oben liegt. {name}-trim.pdf mit 100 % drucken, das Papier auf die Größe des Fensters schneiden, mit den Dreiecken auf den äußeren Zapfen, die man hindurch fühlt, auf die vordere Folie legen und die Linien auf die Folie übertragen. {each} Dann beide Folien mit einer starken Schere auf einmal innen am Fenster entlang schneiden, außerhalb der Anker, reihum an jeder Seite einige Zentimeter: so geben sie gemeinsam nach. Die Schale zieht sich selbst in Form. {hands} Sie mit der Rückseite auf den Formkörper oder die Rippen legen: wo sie nicht anliegt, ist sie noch nicht in Form. {own}</translation>
+      <source>When the glue holds, turn all over, so that the front sheet is up. Print {name}-trim.pdf at 100 %, cut the paper to the size of the window, lay it on the front sheet with its triangles on the outer pins, which you feel through it, and copy its lines onto the sheet. {each} Then cut both sheets at once with strong scissors along the inside of the window, outside of the anchors, a few centimetres at each side in turn: so they let go together. The shell pulls itself into shape. {hands} Lay it with its back onto the kit's former: where it does not touch, it is not in shape yet. {own}</source>
+      <translation>Wenn der Kleber hält, alles wenden, sodass die vordere Folie oben liegt. {name}-trim.pdf mit 100 % drucken, das Papier auf die Größe des Fensters schneiden, mit den Dreiecken auf den äußeren Zapfen, die man hindurch fühlt, auf die vordere Folie legen und die Linien auf die Folie übertragen. {each} Dann beide Folien mit einer starken Schere auf einmal innen am Fenster entlang schneiden, außerhalb der Anker, reihum an jeder Seite einige Zentimeter: so geben sie gemeinsam nach. Die Schale zieht sich selbst in Form. {hands} Sie mit der Rückseite auf den Formkörper legen: wo sie nicht anliegt, ist sie noch nicht in Form. {own}</translation>
     </message>
     <message>
       <source>Where bodies must not overlap, there is the same as one closed shell a piece, with fused in the name.</source>
@@ -4950,10 +4790,6 @@
       <translation>Liegen die Stücke nicht so weit voneinander, wie sie gedruckt wurden, das Papier zwischen ihnen durchschneiden und jeden Teil auf sein eigenes Stück legen.</translation>
     </message>
     <message>
-      <source>You need a calliper, feeler gauges of 0.05 to 0.6 mm, a board, an inclinometer, thread, eight bolts of M4 with nuts, a spring scale up to {scale} N, and latex of the same sheet for the strips ({name}-strips.pdf) and the glue's coupon.</source>
-      <translation>Benötigt werden ein Messschieber, Fühlerlehren von 0.05 bis 0.6 mm, ein Brett, ein Neigungsmesser, Faden, acht Schrauben M4 mit Muttern, eine Federwaage bis {scale} N und Latex von derselben Folie für die Streifen ({name}-strips.pdf) und den Prüfkörper des Klebers.</translation>
-    </message>
-    <message>
       <source>a plate 3 mm thick, cut by {name}-frame.dxf, for the {count} parts of the print</source>
       <translation>eine 3 mm dicke Platte, nach {name}-frame.dxf geschnitten, für die {count} Teile des Drucks</translation>
     </message>
@@ -4962,8 +4798,8 @@
       <translation>Anker</translation>
     </message>
     <message>
-      <source>and that holds {shear:.2f} MPa in shear (its coupon shows that; of the program's materials: {does})</source>
-      <translation>und der auf Scherung {shear:.2f} MPa hält (sein Prüfkörper zeigt das; von den Materialien des Programms: {does})</translation>
+      <source>and that holds {shear:.2f} MPa in shear (of the program's materials: {does})</source>
+      <translation>und der auf Scherung {shear:.2f} MPa hält (von den Materialien des Programms: {does})</translation>
     </message>
     <message>
       <source>as printed, not smoothed</source>
@@ -4976,10 +4812,6 @@
     <message>
       <source>back, mirrored</source>
       <translation>Rückseite, gespiegelt</translation>
-    </message>
-    <message>
-      <source>bed {number}: {hours:.1f} h (by {by}), {price:.0f} {currency} at the prices in kit.json</source>
-      <translation>Bett {number}: {hours:.1f} h (nach {by}), {price:.0f} {currency} zu den Preisen in kit.json</translation>
     </message>
     <message>
       <source>bed {number}: {x:.1f} × {y:.1f} × {z:.1f} mm</source>
@@ -5068,10 +4900,6 @@
     <message>
       <source>print</source>
       <translation>Druck</translation>
-    </message>
-    <message>
-      <source>rates of the printer's file</source>
-      <translation>Erfahrungswerten in der Datei des Druckers</translation>
     </message>
     <message>
       <source>rigid photopolymer (Vero, RGD or alike)</source>
@@ -5170,10 +4998,6 @@
       <translation>{count} Seiten folgen, die sich um {overlap:g} mm überlappen: Kreuz auf Kreuz legen. Diese Seite zeigt das Ganze, und welche Seite welchen Teil hat.</translation>
     </message>
     <message>
-      <source>{count} ribs of a sheet {sheet:g} mm thick ({name}-gauges.dxf), U across V by their slots, each in the order of its numbers; or {former}</source>
-      <translation>{count} Rippen aus einer {sheet:g} mm dicken Platte ({name}-gauges.dxf), U mit den Schlitzen quer auf V, jede in der Reihenfolge ihrer Nummern; oder {former}</translation>
-    </message>
-    <message>
       <source>{count} tiles</source>
       <translation>{count} Kacheln</translation>
     </message>
@@ -5230,14 +5054,6 @@
       <translation type="unfinished" />
     </message>
     <message>
-      <source>{low} to {high} mm; {taper_low} to {taper_high} mm more at the front than at the back, each alone</source>
-      <translation>{low} bis {high} mm; {taper_low} bis {taper_high} mm mehr an der Vorderseite als an der Rückseite, jedes für sich</translation>
-    </message>
-    <message>
-      <source>{name}-coupons.pdf in the folder coupons says what to print and to measure before the order, and what latex that takes besides</source>
-      <translation>{name}-coupons.pdf im Ordner coupons sagt, was vor der Bestellung zu drucken und zu messen ist, und welches Latex das außerdem braucht</translation>
-    </message>
-    <message>
       <source>{name}-former.stl, {volume:.0f} cm³, printed hollow of any plastic</source>
       <translation>{name}-former.stl, {volume:.0f} cm³, hohl gedruckt aus beliebigem Kunststoff</translation>
     </message>
@@ -5286,14 +5102,6 @@
       <translation>{title}, Rahmen</translation>
     </message>
     <message>
-      <source>{title}, ribs of {sheet:g} mm</source>
-      <translation>{title}, Rippen von {sheet:g} mm</translation>
-    </message>
-    <message>
-      <source>{title}, strips of latex</source>
-      <translation>{title}, Latexstreifen</translation>
-    </message>
-    <message>
       <source>{title}, tiles</source>
       <translation>{title}, Kacheln</translation>
     </message>
@@ -5316,10 +5124,6 @@
     <message>
       <source>{title}: assembly</source>
       <translation>{title}: Montage</translation>
-    </message>
-    <message>
-      <source>{title}: coupons</source>
-      <translation>{title}: Prüfkörper</translation>
     </message>
     <message>
       <source>{title}: cut {x:.0f} x {y:.0f} mm along the outer line, of which the outer {grip:g} mm are grip. Grid {grid:.4g} mm, stretched {pitch:g} mm; circles are holes for teeth. Squares {square:g} mm must read {stretched:g} mm when stretched, also just before gluing (creep).</source>
@@ -5348,10 +5152,6 @@
     <message>
       <source>{volume}; the slicer's supports under tiles that reach out come on top</source>
       <translation>{volume}; dazu kommen die Stützen des Slicers unter Kacheln, die überstehen</translation>
-    </message>
-    <message>
-      <source>“curveups calibrate {name}-MEASURED.json -o DIR” fits modulus, friction, glue and growth with their uncertainty. It writes material.json and printer.json, which “curveups design --config” takes: with them make the design and its kit anew. It prints other values, too, for you to read: no parameter of a design takes the constants of Mooney-Rivlin, what creep leaves of the force, what peels glue, what gaps lose or what breaks bridges.</source>
-      <translation>„curveups calibrate {name}-MEASURED.json -o DIR“ passt Modul, Reibung, Kleber und Zugabe mit ihrer Unsicherheit an. Es schreibt material.json und printer.json, die „curveups design --config“ nimmt: damit den Entwurf und seinen Bausatz neu machen. Es gibt auch andere Werte zum Lesen aus: kein Parameter eines Entwurfs nimmt die Konstanten von Mooney-Rivlin, was das Kriechen von der Kraft übrig lässt, was Kleber abschält, was Spalte verlieren oder was Brücken bricht.</translation>
     </message>
   </context>
   <context>
@@ -5667,20 +5467,12 @@
       <translation>Namen</translation>
     </message>
     <message>
-      <source>Prices</source>
-      <translation>Preise</translation>
-    </message>
-    <message>
       <source>Quantity</source>
       <translation>Anzahl</translation>
     </message>
     <message>
       <source>Set how many the print shop is to make</source>
       <translation>Festlegen, wie viele die Druckerei herstellen soll</translation>
-    </message>
-    <message>
-      <source>Set the prices of your shop, for example: order=10, hour=3.5, rigid_cm3=0.2, support_cm3=0.1, currency=USD</source>
-      <translation>Die Preise des Druckdienstes setzen, zum Beispiel: order=10, hour=3.5, rigid_cm3=0.2, support_cm3=0.1, currency=USD</translation>
     </message>
     <message>
       <source>The fabrication kit is out of date: the design has changed since</source>
@@ -5693,10 +5485,6 @@
     <message>
       <source>Write the Kit</source>
       <translation>Schreiben</translation>
-    </message>
-    <message>
-      <source>those of the printer</source>
-      <translation>die des Druckers</translation>
     </message>
   </context>
   <context>

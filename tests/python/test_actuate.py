@@ -17,7 +17,7 @@ from schema import OPTIONAL, check
 
 from curveups.base.errors import CurveUpsError, Stopped
 from curveups.base.native import native
-from curveups.kit.underside import Underside
+from curveups.kit.former import Former
 from curveups.project import saved_results
 from curveups.project.project import Project
 from curveups.report import actuation
@@ -199,7 +199,7 @@ def test_the_former_is_that_of_the_kit(risen):
     corners = np.frombuffer(data[84:], np.dtype([("n", "<f4", 3), ("at", "<f4", (3, 3)), ("x", "<u2")]))["at"]
     parts = native.evaluate_design(risen.design)
     area = {"flat_cm2": parts.flat_area_mm2 / 100, "actuated_cm2": parts.actuated_area_mm2 / 100}
-    expected = Underside.of(risen.design, risen.design.parameters, area)
+    expected = Former.of(risen.design, risen.design.parameters, area)
     volume = np.einsum("nk,nk->n", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])).sum() / 6
     assert volume == pytest.approx(1000 * sum(one.volume for one in expected), rel=0.01)
 

@@ -8,8 +8,8 @@ import struct
 
 import numpy as np
 import pytest
+from curveups.base import freecad_session
 from curveups.base.native import native
-from running import by_admesh
 from schema import read_run
 from shapes import obj_text, sphere
 
@@ -79,8 +79,9 @@ def test_the_kit_says_how_the_pieces_are_sewn(sewn, curveups, tmp_path):
     assert f"{found['joints']['holes']} holes in all" in sew["text"] and "(1 mm)" in sew["text"]
     assert set(map(tuple, found["borders"]["named"])) <= set(map(tuple, found["borders"]["pairs"]))
     assert all(f"T{a + 1:05}–T{b + 1:05}" in sew["text"] for a, b in found["borders"]["named"])
-    former = by_admesh(tmp_path / "ball-former.stl")  # one for each piece
-    assert former["Number of parts"] == 2 and former["Total disconnected facets"] == 0
+    _, mesh = freecad_session.load("Mesh")
+    former = mesh.Mesh(str(tmp_path / "ball-former.stl"))  # one for each piece
+    assert former.countComponents() == 2 and former.isSolid()
 
 
 def test_the_volume_lacks_the_holes(sewn, curveups, tmp_path):

@@ -162,7 +162,7 @@ def test_the_bar_of_work_whose_end_is_not_known_moves(monkeypatch):
     assert len(set(drawn)) == 4 and {len(one) for one in drawn} == {Reporter.WIDTH}
 
 
-@pytest.mark.parametrize("word", ["small-cap-print.step", "small-cap-latex-front.pdf", "coupons/"])
+@pytest.mark.parametrize("word", ["small-cap-print.step", "small-cap-latex-front.pdf"])
 def test_stopping_a_kit(printed, tmp_path, word):
     out = tmp_path / "out"
     status, said = interrupted(word, "kit", printed.folder / "design.json", "-o", out)

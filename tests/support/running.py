@@ -3,8 +3,6 @@
 
 import math
 import os
-import re
-import subprocess
 import sys
 import tempfile
 from dataclasses import dataclass
@@ -68,13 +66,6 @@ def command(*arguments):
 
 def environment(**more):
     return {**os.environ, "PYTHONPATH": str(ROOT / "Workbench"), **more}
-
-
-def by_admesh(path):
-    """Figures of an STL file by their names in admesh's table, as they were before any repair. admesh writes
-    the file's header with whatever lies behind it in memory, in no encoding."""
-    said = subprocess.run(["admesh", path], check=True, capture_output=True).stdout.decode("ascii", "replace")
-    return {name: float(value) for name, value in re.findall(r"([A-Z][a-z ]+[a-z]) *: +(-?[0-9.]+)", said)}
 
 
 def dome(rings, radius=40.0, edge=8.0):

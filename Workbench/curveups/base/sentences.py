@@ -33,7 +33,7 @@ PROGRESS = (
     "building the support", "dividing the support's underside", "dividing the support's lid",
     "measuring bodies", "measuring clearances", "building solids", "checking solids", "measuring solids",
     "meshing bodies", "uniting bodies", "drawing pictures", "dividing the print among beds",
-    "estimating hours and price", "writing {0}")
+    "writing {0}")
 # What a check compares, in its order.
 MARGINS = (
     "dihedral margin, deg", "back face / front face", "pin area margin front, mm2",

@@ -82,9 +82,6 @@ def make_parser() -> argparse.ArgumentParser:
                      help="how many to order")
     kit.add_argument("--names", default="{name}-{body}", metavar="MASK",
                      help="names of print files, of {name}, {body}, {material}, {thickness} and {quantity}")
-    kit.add_argument("--prices", default="", metavar="hour=3,...",
-                     help="your shop's, in place of those in the printer's file: of an order, an hour, "
-                          "rigid_cm3, support_cm3, and the currency")
     kit.add_argument("--language", default="en", metavar="de", help="language of the sheets (default: en)")
 
     compare = _command(commands, "compare", "compare a scan of a built piece with its design")
@@ -92,11 +89,6 @@ def make_parser() -> argparse.ArgumentParser:
     compare.add_argument("scan", type=Path, metavar="SCAN",
                          help="a mesh, or points as text: x y z a line, of markers T00012 x y z")
     _output_argument(compare)
-
-    calibrate = _command(commands, "calibrate", "fit materials and the printer's growth to measured coupons",
-                         quiet=False)
-    calibrate.add_argument("measured", type=Path, metavar="MEASURED.json")
-    _output_argument(calibrate)
 
     actuate = _command(commands, "actuate", "let a design rise from flat, and tell whether it arrives")
     actuate.add_argument("design", type=Path, metavar="DESIGN.json")

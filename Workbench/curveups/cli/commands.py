@@ -18,9 +18,8 @@ from ..base.profiles import MATERIALS, NOTES, of_material, profile_path
 from ..base.progress import Interrupt, Reporter
 from ..base.reading import read_text
 from ..features.document_file import write_document
-from ..kit import calibration, files as kit_files, scan
-from ..kit.former import former_stl
-from ..kit.underside import Underside
+from ..kit import compare as comparing, files as kit_files
+from ..kit.former import Former, former_stl
 from ..project.compensation import compensate
 from ..project.project import Project, Results
 from ..project.size_choice import AUTOMATIC, choose
@@ -166,9 +165,8 @@ def export(options: Any, session: Session) -> int:
 def kit(options: Any, session: Session) -> int:
     """curveups kit"""
     require_folder_name(options.output)
-    order = kit_files.Order(options.quantity, options.names, Language(options.language).name, options.prices)
+    order = kit_files.Order(options.quantity, options.names, Language(options.language).name)
     project, _ = _design_project(options, session)
-    order.check(project.parameters)
     job = session.job
     results = kit_files.make(project, job)
     if results["check"].print_block:
@@ -185,23 +183,13 @@ def compare(options: Any, session: Session) -> int:
     require_folder_name(options.output)
     design = _read_design(options.design)
     with translated(str(options.scan)):
-        found = scan.compare(design, scan.read_scan(options.scan, len(design.F)), session.job)
-    if expected := scan.predicted(options.design):
+        scan = comparing.read_scan(options.scan, len(design.F))
+        found = comparing.compare(design, scan, session.job)
+    if expected := comparing.predicted(options.design):
         found["predicted"] = expected
     with session.interrupt.shielded():
-        scan.write_comparison(design, found, options.output)
-    for line in scan.said(found):
-        session.answer(line)
-    return VALID
-
-
-def calibrate(options: Any, session: Session) -> int:
-    """curveups calibrate"""
-    require_folder_name(options.output)
-    measured = calibration.read_measured(read_json_object(options.measured), str(options.measured))
-    found = calibration.calibrate(measured)
-    calibration.write_calibration(found, options.output, measured.get("thickness_mm"))
-    for line in calibration.said(found):
+        comparing.write_comparison(design, found, options.output)
+    for line in comparing.said(found):
         session.answer(line)
     return VALID
 
@@ -233,7 +221,7 @@ def actuate(options: Any, session: Session) -> int:
     former = None
     if results[RISEN].block["arrives"] is False:
         area = results["figures"].report()["area"]
-        former = former_stl(Underside.of(results.design, results.parameters, area))
+        former = former_stl(Former.of(results.design, results.parameters, area))
     with session.interrupt.shielded(), translated(str(options.design)):
         stopped = actuation.write_actuation(results, options.output, job, compensation, former)
     if compensation:
@@ -267,7 +255,7 @@ def _pressed(options: Any, count: int) -> tuple[int, ...]:
 
 COMMANDS = {"design": design, "check": check, "remesh": remesh, "targets": targets, "parameters": parameters,
             "verify": verify, "export": export, "kit": kit, "compare": compare,
-            "calibrate": calibrate, "actuate": actuate}
+            "actuate": actuate}
 
 
 def _design_project(options: Any, session: Session, effects: tuple[str, ...] = ("rebuild", "files")

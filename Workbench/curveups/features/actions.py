@@ -281,12 +281,12 @@ class WrittenKit:
     keys: Optional[Keys] = None
 
 
-def kit(design: Any, folder: str, quantity: int = 1, mask: str = kit_files.Order.mask, language: str = "en",
-        prices: str = "") -> str:
+def kit(design: Any, folder: str, quantity: int = 1, mask: str = kit_files.Order.mask, language: str = "en"
+        ) -> str:
     """Writes the fabrication kit into a folder, unless it holds that of the design as it is; the page of its
     assembly."""
     written: WrittenKit = _made_by("kit", design, lambda: kit_work(
-        design, folder, kit_files.Order(quantity, mask, language, prices)))
+        design, folder, kit_files.Order(quantity, mask, language)))
     if written.keys is not None:
         write_keys(design, written.keys, "KitKeys")
         design.Proxy.refresh(design)

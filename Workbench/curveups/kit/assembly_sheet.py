@@ -14,20 +14,19 @@ from matplotlib.figure import Figure
 from matplotlib.image import imread
 
 from ..base import profiles
-from ..base.language import Language, Text
+from ..base.language import Text
 from ..report import pictures
-from ..report.assembly import HOLE, glue_asked, glue_volumes, loose_pins, steps
+from ..report.assembly import HOLE, glue_asked, glue_volumes, steps
 from ..report.html import page, picture
 from ..report.print_pictures import print_view
 from ..report.shop import latex
 from ..report.tables import table
 from . import drawing, latex as template
-from .bed_files import frame
+from .frame import frame
 from .kit import Kit
 from .ring_sheet import section
 from .tile_map import tile_map
 from .trim import trim_view
-from .underside import figures
 
 
 def make(kit: Kit, kind: str) -> bytes:
@@ -47,9 +46,8 @@ def parts(kit: Kit) -> list[tuple[str, str]]:
     shear = glue_asked(kit.report)
     does = ", ".join(name for name in profiles.material_names("material_glue")
                      if profiles.parameters(profiles.material_path(name))["glue_strength"] >= shear)
-    asked = " " + say("and that holds {shear:.2f} MPa in shear (its coupon shows that; of the program's "
-                      "materials: {does})", shear=shear, does=does or say("none")) if shear else ""
-    lets_go = f". {loose_pins(kit.report, say)}".rstrip(". ")
+    asked = " " + say("and that holds {shear:.2f} MPa in shear (of the program's materials: {does})",
+                      shear=shear, does=does or say("none")) if shear else ""
     return [(say("Print"), say("{tiles} tiles and what holds them: {name}-shop.pdf is the order",
                                tiles=kit.report["tiles"], name=kit.name)),
             (say("Latex"), latex(kit.report, parameters, say)),
@@ -63,12 +61,8 @@ def parts(kit: Kit) -> list[tuple[str, str]]:
             (say("Glue"), say("{front:.2f} cm³ for the front and {back:.2f} cm³ for the back, and half as "
                               "much again for the roller; a glue for rubber on hard plastic, that "
                               "water does not loosen{asked}; for rings in parts or with dowels also a rigid "
-                              "one", asked=asked, **glue) + lets_go),
+                              "one", asked=asked, **glue)),
             *_shaping(kit),
-            (say("Coupons"), say("{name}-coupons.pdf in the folder coupons says what to print and to measure "
-                                 "before the order, and what latex that takes besides", name=kit.name)),
-            (say("Time and cost of one print"), "; ".join(_cost(say, number, one) for number, one in
-                                                          enumerate(kit.report["costs"], 1))),
             (say("Tools"), say("strong scissors, a sharp punch of {punch:g} mm, a pen whose ink stays on "
                                "latex, carbon paper, tape, dish soap, a roller, a ruler, two boards thicker "
                                "than a ring ({thickness:g} mm), larger than the print and smaller than the "
@@ -86,24 +80,14 @@ corners align the rings""")
 
 def _shaping(kit: Kit) -> list[tuple[str, str]]:
     """What the shell is brought into shape on, and what parts of the print butt in."""
-    made, say = figures(kit.undersides), kit.say
-    former = say("{name}-former.stl, {volume:.0f} cm³, printed hollow of any plastic", name=kit.name,
-                 volume=made["former_cm3"])
-    ribs = say("{count} ribs of a sheet {sheet:g} mm thick ({name}-gauges.dxf), U across V by their slots, "
-               "each in the order of its numbers; or {former}", count=len(made["ribs"]),
-               sheet=made["sheet_mm"], name=kit.name, former=former) if made["ribs"] else former
-    found = [(say("Ribs or former"), ribs)]
+    say = kit.say
+    found = [(say("Former"), say("{name}-former.stl, {volume:.0f} cm³, printed hollow of any plastic",
+                                 name=kit.name, volume=sum(former.volume for former in kit.formers)))]
     if kit.beds and kit.beds.seams and kit.model.outlines:
         found.append((say("Frame"), say("a plate 3 mm thick, cut by {name}-frame.dxf, for the {count} parts "
                                         "of the print", name=kit.name,
                                         count=sum(map(len, kit.beds.places)))))
     return found
-
-
-def _cost(say: Language, number: int, one: Mapping[str, Any]) -> str:
-    return say("bed {number}: {hours:.1f} h (by {by}), {price:.0f} {currency} at the prices in kit.json",
-               number=number, by=say(one["hours_by"]),
-               **{name: one[name] for name in ("hours", "price", "currency")})
 
 
 def _shown(kit: Kit, name: str) -> bytes:

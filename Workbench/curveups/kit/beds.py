@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Divides a print that is too large for its printer's bed: first by how it is turned, then into pieces one
-beside the other, then by which anchors it has, and last into parts, cut along gaps between tiles. Parts butt
-in a frame, where the first membrane is glued over all of them.
+"""Divides a print that is too large for its printer's bed. The first of these that fits is taken: the whole
+print turned, its pieces side by side, the print with fewer anchors, parts cut along gaps between tiles. Parts
+butt in a frame, where the first membrane is glued over all of them.
 
-All places are those of the print: x and y in mm.
+Coordinates are those of the print: x and y in mm.
 """
 
 from __future__ import annotations
@@ -17,20 +17,19 @@ from ..base.native import native
 from ..stages.solids import KINDS, fits_bed
 
 TURNS = np.arange(0.0, 180.0, 1.0)  # degrees that are tried
-CUT_TURNS = TURNS[::15]
 BESIDE = 5.0                        # mm between pieces on a bed
 FIT = 0.2                           # mm that the frame's pocket is wider on each side
 MOST_PARTS = 64
 
 Place = tuple[float, float, float]  # x, y (mm) after the turn (degrees)
-Asked = Callable[..., bool]         # a native progress: whether to go on
+Asked = Callable[..., bool]         # a native progress: False stops the work
 
 
 @dataclass(frozen=True)
 class Beds:
-    """model: native PrintModel, by whose parts the beds go. places: of each bed its parts with their places
-    there. opening: mm between parts. left_out: anchors for which there was no room. seams: how many of them
-    add up in a row, at most."""
+    """model: native PrintModel that has the parts. places: the place of each part on its bed, one mapping a
+    bed. opening: mm between parts. left_out: number of anchors without room. seams: largest number of seams
+    in a row."""
 
     model: Any
     places: Sequence[Mapping[int, Place]]
@@ -41,7 +40,7 @@ class Beds:
 
     @property
     def position_error(self) -> float:
-        """mm by which a part may be off its place in the frame, at most."""
+        """Largest distance of a part from its place in the frame, mm."""
         return 2 * FIT + self.seams * self.opening if self.seams else 0.0
 
     def bed(self, number: int) -> Any:
@@ -52,7 +51,7 @@ class Beds:
         return self._made[number]
 
     def figures(self, printer: Mapping[str, Any]) -> dict[str, Any]:
-        """For kit.json."""
+        """Block of kit.json."""
         return {"bed_mm": printer["bed_mm"], "parts": sum(map(len, self.places)), "opening_mm": self.opening,
                 "frame_fit_mm": FIT, "position_error_mm": self.position_error,
                 "anchors_left_out": self.left_out,
@@ -61,7 +60,7 @@ class Beds:
 
 
 def bed_name(number: int) -> str:
-    """In names of files, of a bed from 0."""
+    """Part of file names, for a bed from 0."""
     return f"bed-{number + 1:02}"
 
 
@@ -71,7 +70,7 @@ def _figures(model: Any) -> dict[str, Any]:
 
 
 def beds(design: Any, model: Any, printer: dict[str, Any], shapes: Any, asked: Asked) -> Optional[Beds]:
-    """None where the print fits as it is, or is too high. model: its native PrintModel; shapes: native
+    """None if the print fits as it is, or is too high. model: its native PrintModel; shapes: native
     TileShapes. Raises native.Cancelled once `asked` says to stop."""
     bed = printer["bed_mm"]
     if fits_bed(model.bbox, printer) or model.bbox[2] > bed[2] or not max(bed) > 0:
@@ -153,77 +152,57 @@ def _cut(design: Any, model: Any, printer: Mapping[str, Any], shapes: Any, asked
 
 def _divisions(design: Any, bed: Sequence[float], shapes: Any, asked: Asked
                ) -> Iterator[tuple[np.ndarray, int]]:
-    """The part of each tile, and how many seams lie in a row at most; the fewest parts first."""
+    """The part of each tile, and the largest number of seams in a row: grids over each piece, those with the
+    fewest cells first."""
     pieces = np.asarray(native.pieces_of_faces(design.V, design.F, design.cuts))
-    middles = np.asarray(shapes.flat)[..., :2].mean(1)
+    corners = np.asarray(shapes.flat)[..., :2]
     contacts = np.asarray(shapes.contacts).reshape(-1, 2)
-    reach = _rim(design.parameters)
-    counts = range(1, MOST_PARTS)
-    ways = sorted(((x, y) for x in counts for y in counts if x * y <= MOST_PARTS),
-                  key=lambda way: (way[0] * way[1], abs(way[0] - way[1])))
-    for columns, rows in ways:
-        for turn in CUT_TURNS:
-            if not asked():
-                raise native.Cancelled
-            parts = np.zeros(len(middles), int)
-            first = 0
-            for piece in range(int(pieces.max()) + 1):
-                own = pieces == piece
-                parts[own] = first + _grid(middles[own] @ turned(turn).T, columns, rows, bed, reach)
-                first = int(parts[own].max()) + 1
-            parts = _joined(_smooth(parts, contacts), contacts)
-            corners = np.asarray(shapes.flat)[..., :2] @ turned(turn).T
-            if all(_has_room(corners[parts == part].reshape(-1, 2),
-                             corners[pieces == pieces[parts == part][0]].reshape(-1, 2), bed, reach)
-                   for part in range(int(parts.max()) + 1)):
-                yield parts, columns + rows - 2
+    room = np.sort(bed[:2]) - 2 * _rim(design.parameters)
+    grids = [(x, y) for x in range(1, MOST_PARTS + 1) for y in range(1, MOST_PARTS // x + 1)]
+    for columns, rows in sorted(grids, key=lambda grid: (grid[0] * grid[1], abs(grid[0] - grid[1]))):
+        if not asked():
+            raise native.Cancelled
+        parts = np.zeros(len(corners), int)
+        for piece in range(int(pieces.max()) + 1):
+            own = pieces == piece
+            parts[own] = parts.max() + 1 + _grid(corners[own], columns, rows, room)
+        parts = _joined(parts, contacts)
+        if all(_fits(corners[parts == part], room) for part in range(int(parts.max()) + 1)):
+            yield parts, columns + rows - 2
 
 
-def _grid(middles: np.ndarray, columns: int, rows: int, bed: Sequence[float], reach: float) -> np.ndarray:
-    """Cells of tiles; of a piece that fits one cell all is one."""
-    low, size = middles.min(0), np.ptp(middles, axis=0)
-    counts = [1 if size[axis] + 2 * reach < bed[axis] else count
-              for axis, count in enumerate((columns, rows))]
-    share = (middles - low) / np.maximum(size, 1e-9)
-    cell = [np.minimum((count * share[:, axis]).astype(int), count - 1) for axis, count in enumerate(counts)]
-    return np.asarray(cell[0] * counts[1] + cell[1])
+def _fits(corners: np.ndarray, room: np.ndarray) -> bool:
+    """corners: tiles x corners x 2."""
+    return bool((np.sort(np.ptp(corners.reshape(-1, 2), axis=0)) <= room).all())
 
 
-def _smooth(parts: np.ndarray, contacts: np.ndarray) -> np.ndarray:
-    """Tiles that hang on their part by one contact go where they have two."""
-    parts = parts.copy()
-    beside: list[list[int]] = [[] for _ in parts]
-    for a, b in contacts.tolist():
-        beside[a].append(b)
-        beside[b].append(a)
-    for _ in range(len(parts)):
-        moved = False
-        for tile, others in enumerate(beside):
-            counts = np.bincount(parts[others]) if others else np.zeros(1, int)
-            best = int(counts.argmax())
-            if best != parts[tile] and counts[best] >= 2:
-                parts[tile], moved = best, True
-        if not moved:
-            break
-    return parts
+def _grid(corners: np.ndarray, columns: int, rows: int, room: np.ndarray) -> np.ndarray:
+    """The cell of each tile of a piece; all are in one cell where the piece has room."""
+    if _fits(corners, room):
+        return np.zeros(len(corners), int)
+    middles = corners.mean(1)
+    share = (middles - middles.min(0)) / np.maximum(np.ptp(middles, axis=0), 1e-9)
+    column, row = np.minimum((share * (columns, rows)).astype(int), (columns - 1, rows - 1)).T
+    return np.asarray(column * rows + row)
 
 
 def _joined(parts: np.ndarray, contacts: np.ndarray) -> np.ndarray:
-    """Parts in one, numbered from 0: what a cut leaves apart joins the neighbour with most contacts."""
+    """Connected parts, numbered from 0: a smaller component of a part joins the neighbouring part with which
+    it has most contacts."""
     parts = parts.copy()
     while True:
-        group = _components(parts, contacts)
-        sizes = np.bincount(group)
-        largest = {part: max(set(group[parts == part]), key=lambda one: (sizes[one], -one))
-                   for part in set(parts.tolist())}
-        lost = [one for one in range(len(sizes)) if one not in largest.values()]
-        beside = [(one, parts[np.where(group[contacts[:, 0]] == one, contacts[:, 1], contacts[:, 0])[
-            (group[contacts] == one).sum(1) == 1]]) for one in lost]
-        moved = [(one, np.bincount(others).argmax()) for one, others in beside if len(others)]
-        if not moved:
-            return np.asarray(np.unique(parts, return_inverse=True)[1])
-        one, part = moved[0]
-        parts[group == one] = part
+        component = _components(parts, contacts)
+        sizes = np.bincount(component)
+        for smaller in np.argsort(sizes, kind="stable"):
+            part = parts[component == smaller][0]
+            inside = component[contacts] == smaller
+            across = inside.sum(1) == 1
+            if sizes[smaller] < sizes[np.unique(component[parts == part])].max() and across.any():
+                neighbours = parts[contacts[across][~inside[across]]]
+                parts[component == smaller] = np.bincount(neighbours).argmax()
+                break
+        else:
+            return np.asarray(np.unique(component, return_inverse=True)[1])
 
 
 def _components(parts: np.ndarray, contacts: np.ndarray) -> np.ndarray:
@@ -233,14 +212,6 @@ def _components(parts: np.ndarray, contacts: np.ndarray) -> np.ndarray:
     inner = contacts[parts[contacts[:, 0]] == parts[contacts[:, 1]]]
     graph = coo_matrix((np.ones(len(inner)), (inner[:, 0], inner[:, 1])), shape=(len(parts),) * 2)
     return np.asarray(connected_components(graph, directed=False)[1])
-
-
-def _has_room(corners: np.ndarray, piece: np.ndarray, bed: Sequence[float], reach: float) -> bool:
-    """Whether a part's corners fit the bed, with the rim where the piece ends."""
-    low, high = corners.min(0), corners.max(0)
-    low = low - np.where(low - piece.min(0) < reach, reach, 1.0)
-    high = high + np.where(piece.max(0) - high < reach, reach, 1.0)
-    return bool((np.sort(high - low) <= np.sort(bed[:2])).all())
 
 
 def _rim(parameters: Any) -> float:

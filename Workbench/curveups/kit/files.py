@@ -11,7 +11,7 @@ from functools import partial
 from importlib import import_module
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, Callable, Iterator, Mapping, Sequence
+from typing import Any, Callable, Mapping, Sequence
 
 from ..base.errors import CurveUpsError, Stopped
 from ..base.language import Language
@@ -24,58 +24,28 @@ from ..report.exports import Choice, File, doubtful, file_names, plain, run_unde
 from ..report.files import keep_design
 from ..report.shop import has_bridges, latex, quote, rules
 from ..stages import RISEN, asked_by
-from ..stages.solids import amounts, read_printer
+from ..stages.solids import amounts
 from ..stages.stage import Job
-from .costs import costs
+from .beds import bed_name
+from .former import figures
 from .kit import Kit
-from .prices import chosen_prices
-from .underside import figures
 
 FORMAT, VERSION = "curveups-kit", 1
 KIT = "kit.json"
-COUPONS = "coupons"  # the folder of theirs
-MEASURED = "MEASURED.json"
-
-_OF_BEDS = ("bed-[0-9][0-9].*", "bed-[0-9][0-9]-prusa.3mf", "bed-[0-9][0-9]-fused.*", "frame.dxf",
-            "frame.pdf")
-_OF_COUPONS = (".step", ".3mf", ".stl", ".pdf", ".svg", ".dxf")
-_OF_ONE_BED: tuple[File, ...] = (("prusa", "3mf"), ("print-fused", "stl"), ("print-fused", "3mf"))
-
-# What follows NAME- in files, with the module, its function and what that is given. matplotlib is loaded
-# with the first of them.
-_SHEETS: Mapping[str, tuple[str, ...]] = {
-    "shop.pdf": ("shop_sheet", "make"),  # lists what comes before it
-    **{f"latex-{side}.{kind}": ("latex", "make", side, kind)
-       for side in ("front", "back") for kind in ("pdf", "svg", "dxf")},
-    **{f"ring-{side}.{kind}": ("ring_sheet", "make", side, kind)
-       for side in ("front", "back") for kind in ("step", "stl", "dxf")},
-    **{f"assembly.{kind}": ("assembly_sheet", "make", kind) for kind in ("html", "pdf")},
-    "tiles.svg": ("tile_map", "make"),
-    **{f"trim.{kind}": ("trim", "make", kind) for kind in ("pdf", "dxf", "svg")},
-    **{f"gauges.{kind}": ("gauges", "make", kind) for kind in ("dxf", "svg")},
-    "former.stl": ("former", "make"),
-}
 
 
 @dataclass(frozen=True)
 class Order:
-    """What the user chooses. mask: names of print files (exports.py); language: of sheets; prices: in place
-    of the printer's (prices.py)."""
+    """Choices of the user. mask: names of print files (exports.py); language: of sheets."""
 
     quantity: int = 1
     mask: str = "{name}-{body}"
     language: str = "en"
-    prices: str = ""
-
-    def check(self, parameters: Any) -> None:
-        """Raises CurveUpsError for prices that do not do."""
-        chosen_prices(self.prices, read_printer(parameters.get("printer"))["prices"])
 
     @property
     def data(self) -> dict[str, Any]:
         """As kit.json has it."""
-        return {"quantity": self.quantity, "names": self.mask, "language": self.language,
-                "prices": self.prices}
+        return {"quantity": self.quantity, "names": self.mask, "language": self.language}
 
 
 def goals() -> tuple[str, ...]:
@@ -85,7 +55,7 @@ def goals() -> tuple[str, ...]:
 
 def make(project: Project, job: Job) -> Results:
     """What a kit is made from, with the path from flat where that is current. Where the design is not known
-    to be valid, labels, solids and files say so."""
+    to be valid, solids and files say so."""
     wanted = (*goals(), *((RISEN,) if project.out_of_date(RISEN) == () else ()))
     results = project.run(wanted, job, strict=True)
     if results.verdict.valid or results.stopped:
@@ -95,7 +65,7 @@ def make(project: Project, job: Job) -> Results:
 
 
 def print_names(name: str, parameters: Any, kinds: Sequence[str], order: Order) -> dict[File, str]:
-    """Of print files. kinds: of bodies. Raises CurveUpsError for a mask that does not do."""
+    """Names of print files. kinds: of bodies. Raises CurveUpsError for a mask that does not do."""
     return _named(name, parameters, order, tuple(
         (kind, one.ending) for one in native.print_formats() for kind in one.wanted
         if kind in (*kinds, "print")))
@@ -111,9 +81,9 @@ def _named(name: str, parameters: Any, order: Order, wanted: tuple[File, ...]) -
 
 def write_kit(results: Results, path: Path, job: Job, order: Order = Order(),
               risen: Mapping[str, Any] = MappingProxyType({})) -> bool:
-    """Writes all files of a kit; whether that was stopped. kit.json goes first and comes last: what it does
-    not list, this run did not write. risen: what is known of the path from flat, where results don't have
-    it."""
+    """Writes all files of a kit; True if that was stopped. kit.json is removed first and written last: what
+    it does not list, this run did not write. risen: what is known of the path from flat, where results don't
+    have it."""
     design = native.write_design(results.design.with_name(plain(results)))
     names = print_names(results.name, results.parameters, results["solids"].kinds, order)
     report = build_report(results, results.rows(), False, {}, {})
@@ -123,54 +93,24 @@ def write_kit(results: Results, path: Path, job: Job, order: Order = Order(),
     def named(file: File) -> str:
         return _named(results.name, results.parameters, order, (file,))[file]
 
-    kit = Kit(results, report, order.quantity, names, named, say=Language(order.language),
-              prices=order.prices)
+    kit = Kit(results, report, order.quantity, names, named, say=Language(order.language))
     stopped = results.stopped
-    readings = f"{results.name}-{MEASURED}"
-    filled_in = _is_changed(path, f"{COUPONS}/{readings}")
-    earlier = [name for name in _listed(path) if Path(name).name == name and not _is_changed(path, name)]
-    with Folder(path) as folder, Folder(path / COUPONS) as coupons:
-        folder.remove(KIT, *earlier, *(f"{results.name}-{ending}" for ending in _SHEETS),
-                      *map(named, _OF_ONE_BED))
-        folder.remove(*(place.name for ending in _OF_BEDS
-                        for place in folder.path.glob(f"{glob.escape(results.name)}-{ending}")))
-        coupons.remove(*(place.name for place in coupons.path.glob(f"{glob.escape(results.name)}-*")
-                         if place.suffix in _OF_COUPONS), *(() if filled_in else (readings,)))
+    with Folder(path) as folder:
+        folder.remove(KIT, *_earlier(path, kit.name))
         keep_design(folder, results, design)
-
-        doing, done, count, reached = "", 0, 1, -1.0
-
-        def go_on(part: float = -1.0) -> None:
-            """part: of what is being done. Files count alike, and the whole never goes back."""
-            nonlocal reached
-            if part >= 0 or count > 1:
-                reached = max(reached, (done + min(max(part, 0.0), 1.0)) / count)
-            job.go_on(doing, reached)
-
-        def begin(what: str, number: int = 0, of: int = 1) -> None:
-            nonlocal doing, done, count, reached
-            reached = reached if number else -1.0
-            doing, done, count = what, number, of
-            go_on()
-
-        kit.go_on = go_on
         try:
             if (borders := kit.borders)["pairs"]:
                 report["borders"] = borders
-            begin("dividing the print among beds")
+            kit.go_on = partial(job.go_on, "dividing the print among beds")
+            kit.go_on()
             if kit.beds:
                 report["beds"] = kit.beds.figures(kit.printer)
                 report["print"] = {**report["print"], **amounts(kit.prints)}
-            begin("estimating hours and price")
-            report["costs"] = costs(kit)
-            todo = [*_print_files(kit, names), *_drawn_files(kit)]
-            todo += [(f"{COUPONS}/{name}", _holding(made))
-                     for name, made in import_module(".coupon_sheet", __package__).files(kit).items()
-                     if name != readings or not filled_in]
-            for number, (name, writer) in enumerate(todo):
-                begin(f"writing {name}", number, len(todo))
-                into = coupons if name.startswith(f"{COUPONS}/") else folder
-                into.write(Path(name).name, writer)
+            writers = {**_print_files(kit), **import_module(".sheets", __package__).files(kit)}
+            for number, (name, writer) in enumerate(writers.items()):
+                kit.go_on = partial(job.go_on, f"writing {name}", number / len(writers))
+                kit.go_on()
+                folder.write(name, lambda place: place.write_bytes(writer()))
                 data = (path / name).read_bytes()
                 kit.files[name] = {"bytes": len(data), "sha256": _sum(data)}
         except (Stopped, native.Cancelled):
@@ -179,46 +119,32 @@ def write_kit(results: Results, path: Path, job: Job, order: Order = Order(),
     return stopped
 
 
-Writer = Callable[[Path], object]
+def _print_files(kit: Kit) -> dict[str, Callable[[], bytes]]:
+    """What makes each file that the shop prints, by its name: the whole, and each bed if there are several;
+    the print on bridges as closed shells as well."""
+    found: dict[str, Callable[[], bytes]] = {
+        name: partial(kit.written, kit.model, ending, kind)
+        for (kind, ending), name in kit.names.items()}
+    fused = ("stl", "3mf") if has_bridges(kit.results.parameters) else ()
+    for number, model in enumerate(kit.prints):
+        bed = bed_name(number) if kit.beds else "print"
+        if kit.beds:
+            found.update({kit.named((bed, ending)): partial(kit.written, model, ending, "print")
+                          for ending in ("3mf", "step")})
+        found.update({kit.named((f"{bed}-fused", ending)): partial(kit.written, model, ending, "fused")
+                      for ending in fused})
+    return found
 
 
-def _print_files(kit: Kit, names: Mapping[File, str]) -> Iterator[tuple[str, Writer]]:
-    """What the shop prints, by the names of files: the whole, then beds, where there are several."""
-    for (kind, ending), name in names.items():
-        yield name, _body(kit, kind, ending)
-    for name, made in import_module(".bed_files", __package__).files(kit).items():
-        yield name, _holding(made)
-    if not kit.beds:
-        shop = import_module(".print_shop", __package__)
-        yield kit.named(_OF_ONE_BED[0]), _holding(partial(shop.project, kit))
-        for body, ending in _OF_ONE_BED[1:] if has_bridges(kit.results.parameters) else ():
-            yield kit.named((body, ending)), _holding(partial(shop.fused, kit, ending))
-
-
-def _drawn_files(kit: Kit) -> Iterator[tuple[str, Writer]]:
-    """What follows the print: the order first, which lists what comes before it."""
-    for ending, (module, function, *given) in _SHEETS.items():
-        made = getattr(import_module(f".{module}", __package__), function)
-        yield f"{kit.name}-{ending}", _holding(partial(made, kit, *given))
-
-
-def _body(kit: Kit, kind: str, ending: str) -> Writer:
-    return lambda place: kit.model.write(ending, kind, str(place),
-                                         lambda what, part: kit.asked(part=part))
-
-
-def _holding(made: Callable[[], bytes]) -> Writer:
-    return lambda place: place.write_bytes(made())
-
-
-def _is_changed(folder: Path, name: str) -> bool:
-    """Whether a file is there that is not as the kit in this folder wrote it: readings that nobody wants to
-    lose."""
-    place, known = folder / name, _listed(folder).get(name, "")
-    try:
-        return place.exists() and bool(known != _sum(place.read_bytes()))
-    except OSError:
-        return True
+def _earlier(folder: Path, name: str) -> list[str]:
+    """Files of the last kit in a folder that nobody has changed since, and those of beds and frame."""
+    listed = _listed(folder)
+    unchanged = [file for file, known in listed.items()
+                 if Path(file).name == file and (folder / file).is_file()
+                 and _sum((folder / file).read_bytes()) == known]
+    beds = [place.name for pattern in ("bed-[0-9][0-9]*.*", "frame.*")
+            for place in folder.glob(f"{glob.escape(name)}-{pattern}") if place.name not in listed]
+    return [*unchanged, *beds]
 
 
 def _listed(folder: Path) -> dict[str, str]:
@@ -234,7 +160,7 @@ def _contents(kit: Kit, design: str, stopped: bool, order: Order) -> dict[str, A
     """kit.json."""
     report, parameters = kit.report, kit.results.parameters
     printed = {name: value for name, value in report["print"].items() if name != "files"}
-    blocks = ("beds", "costs", "area", "solids", "sheets", "anchors", "contact_forces", "worst_contacts",
+    blocks = ("beds", "area", "solids", "sheets", "anchors", "contact_forces", "worst_contacts",
               "joints", "borders", "actuation")
     return {"format": FORMAT, "version": VERSION, "name": kit.name, "title": kit.plain_title,
             "status": "stopped" if stopped else "complete", "design_sha256": _sum(design.encode("utf-8")),
@@ -242,7 +168,7 @@ def _contents(kit: Kit, design: str, stopped: bool, order: Order) -> dict[str, A
             **order.data, "tiles": report["tiles"], "contacts": report["contacts"],
             "cuts": report["cuts"], "print": printed,
             **{name: report[name] for name in blocks if name in report},
-            "rings": kit.rings, "gauges": figures(kit.undersides),
+            "rings": kit.rings, "former": figures(kit.formers),
             "glue": {"layer_mm": GLUE_LAYER, "volume_cm3": glue_volumes(printed["glue"]),
                      "asked_mpa": glue_asked(report)},
             "shop": {"rules": rules(report, parameters),
@@ -257,18 +183,17 @@ def _sum(data: bytes) -> str:
 
 
 def last_order(folder: Path) -> Order:
-    """What was chosen for the kit in a folder; the usual where there is none."""
+    """The order of the kit in a folder; the usual one where there is none."""
     try:
         found = json.loads((folder / KIT).read_text("utf-8"))
-        return Order(int(found["quantity"]), str(found["names"]), Language(found["language"]).name,
-                     str(found.get("prices", "")))
+        return Order(int(found["quantity"]), str(found["names"]), Language(found["language"]).name)
     except (CurveUpsError, OSError, ValueError, KeyError, TypeError):
         return Order()
 
 
 def is_current(folder: Path, design: str, order: Order = Order(), risen: bool = False) -> bool:
-    """Whether the kit in a folder is whole and of this design (the text of design.json) and order. risen:
-    whether its path from flat is known."""
+    """True if the kit in a folder is whole and of this design (the text of design.json) and order. risen:
+    True if its path from flat is known."""
     try:
         found = json.loads((folder / KIT).read_text("utf-8"))
         return bool(found["design_sha256"] == _sum(design.encode("utf-8")) and found["status"] == "complete"

@@ -19,19 +19,16 @@ from ..project.project import Results
 from ..report.exports import File, doubtful, plain
 from ..stages.solids import read_printer
 from .beds import Beds, bed_name, beds
-from .prices import chosen_prices
+from .former import Former
 from .ring import rings
-from .underside import Underside
 
 MOST_NAMED = 12  # pairs of tiles that a step names
 
 
 @dataclass
 class Kit:
-    """names: of the print's files; named: gives those of its beds and shells. files: what is there so far,
-    with bytes and SHA-256. go_on: called between pages, with how much of the work at hand is done (0 to 1)
-    where that is known; raises Stopped. say: the language of sheets. prices: in place of the printer's
-    (prices.py)."""
+    """names: names of the print's files; named: gives those of its beds and shells. files: written so far,
+    with bytes and SHA-256. go_on: called between pages; raises Stopped. say: the language of sheets."""
 
     results: Results
     report: dict[str, Any]
@@ -39,12 +36,9 @@ class Kit:
     names: Mapping[File, str] = field(default_factory=dict)
     named: Callable[[File], str] = lambda file: ".".join(file)
     files: dict[str, dict[str, Any]] = field(default_factory=dict)
-    go_on: Callable[..., object] = lambda part=-1.0: None
+    go_on: Callable[[], object] = lambda: None
     say: Language = ENGLISH
-    prices: str = ""
-    coupons: dict[str, Any] = field(default_factory=dict)  # native PrintModels that were made, by name
-    pictures: dict[str, bytes] = field(default_factory=dict)  # of the assembly's steps that were drawn
-    _shell: Optional[tuple[Any, bytes]] = None  # the last that was made, of its model
+    pictures: dict[str, bytes] = field(default_factory=dict)  # drawn for steps of the assembly
 
     @property
     def name(self) -> str:
@@ -104,19 +98,18 @@ class Kit:
             model.write(ending, kind, str(path), self.asked)
             return path.read_bytes()
 
-    def asked(self, *_: Any, part: float = -1.0) -> bool:
-        """For native work: whether it goes on. part: as of go_on, negative where unknown."""
+    def asked(self, *_: Any) -> bool:
+        """Progress of native work: False stops it."""
         try:
-            self.go_on(part)
+            self.go_on()
         except Stopped:
             return False
         return True
 
     @cached_property
     def printer(self) -> dict[str, Any]:
-        """The printer's file, with the chosen prices."""
-        found = read_printer(self.results.parameters.get("printer"))
-        return {**found, "prices": chosen_prices(self.prices, found["prices"])}
+        """The printer's file."""
+        return read_printer(self.results.parameters.get("printer"))
 
     @cached_property
     def rings(self) -> dict[str, Any]:
@@ -130,15 +123,9 @@ class Kit:
         return beds(design, self.model, self.printer, self.shapes, self.asked)
 
     @cached_property
-    def undersides(self) -> list[Underside]:
-        """What ribs and former of each piece are made from."""
-        return Underside.of(self.results.design, self.results.parameters, self.report["area"])
-
-    def shell(self, model: Any) -> bytes:
-        """The STL of a native PrintModel, each piece as one closed shell."""
-        if self._shell is None or self._shell[0] is not model:
-            self._shell = model, self.written(model, "stl", "fused")
-        return self._shell[1]
+    def formers(self) -> list[Former]:
+        """One for each piece."""
+        return Former.of(self.results.design, self.results.parameters, self.report["area"])
 
     @cached_property
     def shapes(self) -> Any:

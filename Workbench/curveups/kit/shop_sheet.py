@@ -30,7 +30,7 @@ def make(kit: Kit) -> bytes:
         page.plot([BORDER, width - BORDER], [top - 0.4] * 2, color="#cccccc", linewidth=0.4)
         top = min(write(page, BORDER, top, [label], 8, LABELS - 2),
                   write(page, BORDER + LABELS, top, [value], 8))
-    notes = [say(text) for body, text in _FILES.items() if any(body in name for name in kit.files)]
+    notes = [say(_FUSED)] if any("fused" in name for name in kit.files) else []
     top = write(page, BORDER, top - 1, notes, 8)
     figures, files = [figure], [f"{name}   {about['bytes']}   {about['sha256']}"
                                 for name, about in kit.files.items()]
@@ -52,11 +52,8 @@ def _list(kit: Kit, page: Any, top: float, files: Sequence[str]) -> float:
     return write(page, BORDER, top, files, 5.5)
 
 
-_FILES = {
-    "prusa": Text("""For PrusaSlicer there is the same, with prusa in the name and an extruder for each
-material."""),
-    "fused": Text("""Where bodies must not overlap, there is the same as one closed shell a piece, with
-fused in the name.""")}
+_FUSED = Text("""Where bodies must not overlap, there is the same as one closed shell a piece, with
+fused in the name.""")
 
 
 def _doubts(kit: Kit) -> list[str]:

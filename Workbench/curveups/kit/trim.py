@@ -12,8 +12,8 @@ from matplotlib.figure import Figure
 from ..base.language import Text
 from ..report import pictures
 from ..report.assembly import TRIM
-from .bed_files import outlines_of
 from .drawing import INCH, LAYERS, Drawing, draw, made
+from .frame import outlines_of
 from .kit import Kit
 
 STOP = 1.0  # mm, radius of a hole that keeps a slit in the membrane from tearing on

@@ -76,7 +76,7 @@ at 100 %, cut the paper to the size of the window, lay it on the front sheet wit
 pins, which you feel through it, and copy its lines onto the sheet. {each} Then cut both sheets at once with
 strong scissors along the inside of the window, outside of the anchors, a few centimetres at each side in
 turn: so they let go together. The shell pulls itself into shape. {hands} Lay it with its back onto the
-kit's former, or its ribs: where it does not touch, it is not in shape yet. {own}""")
+kit's former: where it does not touch, it is not in shape yet. {own}""")
 _HANDS = Text("""Help with your hands where it stays flat, from the middle outwards.""")
 _KNOWN_HANDS = Text("""The computed path from flat says: {said}.""")
 _TRIM = Text("""Cut the front membrane along its lines, which were {trim:g} mm outside of the outer pins while
@@ -84,7 +84,7 @@ it was stretched, and the back one as far outside of its own pins. {stop} Anchor
 {apart}""")
 _EACH = Text("""Where the pieces did not come to lie as far apart as they were printed, cut the paper between
 them, and lay each part of it on its own piece.""")
-_OWN = Text("""Each piece has its own former, from the left to the right, and its own ribs.""")
+_OWN = Text("""Each piece has its own former, from the left to the right.""")
 _STOP = Text("""Follow rims, holes and cuts. Where the drawing has small circles, punch these first: they keep
 a cut from tearing on.""")
 _APART = Text("So the {pieces} pieces come apart: each holds its shape by itself.")
@@ -113,22 +113,11 @@ def glue_volumes(block: Mapping[str, Any]) -> dict[str, float]:
 
 
 def glue_asked(report: Mapping[str, Any]) -> float:
-    """MPa that glue has to hold in shear: of the pin or anchor that carries most, but for pins that may let
-    go, rounded up to a hundredth; 0 where nothing is known of either."""
-    glue = report.get("glue", {})
-    found = [glue["shear_max_mpa"]] if glue else []
-    if glue.get("loose", {}).get("holds"):  # without pins that carry more
-        found = [min(*found, glue["shear_limit_mpa"])]
+    """Shear in MPa that the glue of the most loaded pin or anchor has to hold, rounded up to a hundredth; 0
+    where neither is known."""
+    found = [report["glue"]["shear_max_mpa"]] if "glue" in report else []
     found += report.get("anchors", {}).get("glue_shear_mpa", ())
     return math.ceil(100 * max(found, default=0.0)) / 100
-
-
-def loose_pins(report: Mapping[str, Any], say: Language = ENGLISH) -> str:
-    """A sentence about pins without which the piece holds; empty where there are none."""
-    loose = report.get("glue", {}).get("loose", {})
-    tiles = [tile for side in ("front", "back") for tile in loose.get(side, ())] if loose.get("holds") else []
-    return say("The piece holds even where the pins of {tiles} let go: they are too small for what they "
-               "carry.", tiles=", ".join(map(tile_name, sorted(set(tiles))))) if tiles else ""
 
 
 def steps(report: Mapping[str, Any], parameters: Any, say: Language = ENGLISH) -> list[Step]:
@@ -176,7 +165,7 @@ def _values(report: Mapping[str, Any], parameters: Any, say: Language) -> dict[s
     held = say("slabs: {count}", count=others) if support.soluble else say("bridges: {count}", count=others)
     counts = [say("{count} tiles", count=report["tiles"]), say("{count} anchors", count=anchors),
               *([held] if others else [])]
-    stays = say("Take the bath that the shop names for its support, if latex and glue of the coupon have "
+    stays = say("Take the bath that the shop names for its support, if scraps of the latex and the glue have "
                 "stood it, and a tub that holds the ring. The membrane stays on its ring while it is washed "
                 "and dries") if support.soluble else say("The membrane stays on its ring")
     which = "; ".join(say("from bed {bed}: {parts}", bed=number, parts=", ".join(map(str, one["parts"])))

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any, Mapping, Optional, Sequence
 
 from ..base.language import ENGLISH, Language, Text
@@ -65,11 +64,6 @@ def is_tilted(parameters: Any) -> bool:
     """Whether a layer of the print lying flat would hold to the vat by its whole area."""
     return "resin" in read_printer(parameters.get("printer"))["name"] \
         and not native.support_kind(parameters).soluble
-
-
-def tilted_height(bbox: Sequence[float]) -> float:
-    """mm, of a print of this box (x, y, z) on its longer side, at the least of those tilts."""
-    return float(min(bbox[:2]) * math.sin(math.radians(30)) + bbox[2] * math.cos(math.radians(30)))
 
 
 def quote(report: Mapping[str, Any], parameters: Any, quantity: int = 1, say: Language = ENGLISH,
@@ -138,21 +132,7 @@ def quote(report: Mapping[str, Any], parameters: Any, quantity: int = 1, say: La
         (say("Least clearance between tiles"),
          say("{gap} mm; the printer needs {least:g} mm", gap=show(report["solids"]["min_clearance_flat_mm"]),
              least=printer["smallest_gap_mm"])),
-        *growth(report, say),
     ]
-
-
-def growth(report: Mapping[str, Any], say: Language = ENGLISH) -> list[tuple[str, str]]:
-    """How far walls may be off; nothing where the process window was not looked for."""
-    found = {one["parameter"]: [show(one["searched"][k] if one[end] is None else one[end])
-                                for k, end in enumerate(("low", "high"))]
-             for one in report.get("window", ())}
-    if not {"xy_growth", "xy_taper"} <= set(found):
-        return []
-    return [(say("Growth of walls in XY that does no harm"),
-             say("{low} to {high} mm; {taper_low} to {taper_high} mm more at the front than at the back, "
-                 "each alone", low=found["xy_growth"][0], high=found["xy_growth"][1],
-                 taper_low=found["xy_taper"][0], taper_high=found["xy_taper"][1]))]
 
 
 def latex(report: Mapping[str, Any], parameters: Any, say: Language = ENGLISH) -> str:

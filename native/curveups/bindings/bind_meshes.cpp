@@ -12,6 +12,7 @@
 #include "curveups/geometry/mend_mesh.hpp"
 #include "curveups/geometry/mesh_checks.hpp"
 #include "curveups/geometry/polygon_triangulation.hpp"
+#include "curveups/geometry/registration.hpp"
 #include "curveups/geometry/remesh.hpp"
 #include "curveups/geometry/surface_deviation.hpp"
 
@@ -83,6 +84,38 @@ void bind_meshes(py::module_& module) {
       },
       py::arg("points"), py::arg("V"), py::arg("F"),
       "The faces (rows of F) on which the nearest points of a surface lie, one a point.");
+  py::class_<Registration>(module, "Registration", "x -> R x + t lays a scanned point.")
+      .def_property_readonly("R", [](const Registration& r) { return r.pose.R; })
+      .def_property_readonly("t", [](const Registration& r) { return r.pose.t; })
+      .def_readonly("noise", &Registration::noise)
+      .def_readonly("loss_scale", &Registration::loss_scale)
+      .def_readonly("rotation_deviation", &Registration::rotation_deviation)
+      .def_readonly("translation_deviation", &Registration::translation_deviation)
+      .def_readonly("other_turns", &Registration::other_turns);
+  module.def(
+      "register_scan",
+      [](const PointsIn& points, const PointsIn& V, const TrianglesIn& F, double tile,
+         py::object progress) {
+        const Points3 from = read_points(points, "points");
+        const TriangleMesh mesh = read_mesh(V, F);
+        require_positive(tile, "tile");
+        return without_gil(std::move(progress),
+                           [&](const Progress&) { return register_scan(from, mesh, tile); });
+      },
+      py::arg("points"), py::arg("V"), py::arg("F"), py::arg("tile"),
+      py::arg("progress") = py::none(),
+      "Lays scanned points onto a surface of tiles so large, mm.");
+  module.def(
+      "register_markers",
+      [](const PointsIn& points, const PointsIn& targets) {
+        const Points3 from = read_points(points, "points"), to = read_points(targets, "targets");
+        if (from.rows() != to.rows()) {
+          throw InvalidInput("there are not as many targets as points", "give one a point");
+        }
+        const py::gil_scoped_release release;
+        return register_markers(from, to);
+      },
+      py::arg("points"), py::arg("targets"), "Lays points onto targets, one a point.");
   module.def(
       "surface_deviation",
       [](const PointsIn& V, const TrianglesIn& F, const PointsIn& target_V,

@@ -32,10 +32,8 @@ class KitPanel(Panel):
         order = last_order(Path(form.folder.text()))
         form.quantity.setValue(order.quantity)
         form.names.setText(order.mask)
-        form.prices.setText(order.prices)
         form.names.textChanged.connect(lambda *_: self._show_names())
         form.quantity.valueChanged.connect(lambda *_: self._show_names())
-        form.prices.textChanged.connect(lambda *_: self._show_names())
         form.write.clicked.connect(lambda *_: self.write())
         self._show_names()
         self._follow()
@@ -44,8 +42,7 @@ class KitPanel(Panel):
 
     def order(self) -> Order:
         """What is chosen; sheets are in the window's language."""
-        return Order(self.form.quantity.value(), self.form.names.text(), translate("CurveUps_Sheets", "en"),
-                     self.form.prices.text())
+        return Order(self.form.quantity.value(), self.form.names.text(), translate("CurveUps_Sheets", "en"))
 
     def write(self) -> None:
         """Writes the kit on the worker; the line on top then leads to its files."""
@@ -56,8 +53,7 @@ class KitPanel(Panel):
 
             def written(design: Any, made: actions.WrittenKit) -> None:
                 runs.finish("kit", design, made, repr(folder), f"quantity={order.quantity}",
-                            f"mask={order.mask!r}", f"language={order.language!r}",
-                            f"prices={order.prices!r}")
+                            f"mask={order.mask!r}", f"language={order.language!r}")
                 self._show_links()
 
             work = actions.kit_work(self.design, folder, order)
@@ -86,7 +82,6 @@ class KitPanel(Panel):
                                  for file, text in files))
 
     def _names(self, order: Order) -> list[str]:
-        order.check(self._parameters)
         return list(print_names(self.design.Label, self._parameters, KINDS, order).values())
 
     def _show_names(self) -> None:

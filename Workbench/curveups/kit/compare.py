@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Compares a scanned piece with its design: a mesh, a cloud of points, or markers of tiles. Deviations are
-those of scanned points from the design's actuated front faces."""
+distances of scanned points from the design's actuated front faces."""
 
 from __future__ import annotations
 
 import json
 import re
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -22,8 +21,6 @@ from ..report.data import to_text
 from ..report.tables import table
 from ..stages.stage import Job
 from ..targets.target_files import read_target
-from .openings import openings
-from .registration import register, register_markers
 
 FORMAT, VERSION = "curveups-compare", 1
 POINTS = (".xyz", ".txt", ".csv")
@@ -36,15 +33,16 @@ FILES = ("compare.json", "compare.html", "deviation.csv")
 
 @dataclass(frozen=True)
 class Scan:
-    """points: n x 3, mm. tiles: of markers, the row of F that each is on; none of others."""
+    """points: n x 3, mm. tiles: row of F of each marker; empty if the points are no markers."""
 
     points: np.ndarray
     tiles: np.ndarray
 
 
 def read_scan(path: Path, tile_count: int) -> Scan:
-    """Corners of a mesh, of a coarse one points of its faces as well, or a text with a point a line, "x y z";
-    with a tile's name before it, "T00012 x y z", it is a marker on the middle of that tile's front."""
+    """Reads corners of a mesh, and points on the faces of a coarse one, or a text with a point a line, "x y
+    z". With a tile's name before it, "T00012 x y z", a point is a marker on the middle of that tile's
+    front."""
     if path.suffix.lower() not in POINTS:
         if not path.exists():  # a target's reader would offer built-ins
             raise CurveUpsError("the scan can't be read: there is no such file", str(path), "check its name")
@@ -110,50 +108,47 @@ def compare(design: Any, scan: Scan, job: Job) -> dict[str, Any]:
     from scipy.spatial import cKDTree  # which other commands would pay
 
     V, F = np.asarray(design.V), np.asarray(design.F)
-    edge = float(native.mean_edge_length(V, F))
-    if len(scan.tiles):
-        middles = V[F].mean(1)[scan.tiles]
-        R, t = register_markers(scan.points, middles)
-        points = scan.points @ R.T + t
-        away, others = np.linalg.norm(points - middles, axis=1), 0
-        owners = scan.tiles
-        spread = float(np.sqrt((away ** 2).mean()))
+    markers = len(scan.tiles) > 0
+    if markers:
+        targets = V[F].mean(1)[scan.tiles]
+        laid = native.register_markers(scan.points, targets)
     else:
-        laid = register(scan.points, V, F, edge, partial(job.go_on, "registering the scan"))
-        R, t, others, spread = laid.R, laid.t, laid.others, laid.spread
-        points = laid(scan.points)
-        owners = native.closest_faces(points, V, F)
-        away = native.distances(points, V, F)
+        laid = native.register_scan(scan.points, V, F, native.mean_edge_length(V, F), job)
+    points = scan.points @ laid.R.T + laid.t
+    if markers:
+        owners, away = scan.tiles, np.linalg.norm(points - targets, axis=1)
+    else:
+        owners, away = native.closest_faces(points, V, F), native.distances(points, V, F)
     corners = V[F[owners]]
     out = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     signed = np.copysign(away, ((points - corners[:, 0]) * out).sum(1))
     back = cKDTree(points).query(V[F].mean(1))[0]
     counts = np.bincount(owners, minlength=len(F))
-    of_tile = np.split(signed[np.argsort(owners, kind="stable")], np.cumsum(counts)[:-1])
-    named = len(scan.tiles) > 0
-    found = {"format": FORMAT, "version": VERSION, "name": design.name,
-             "by": "markers" if named else "surface", "points_given": len(points),
-             "transform": np.vstack([np.c_[R, t], [0, 0, 0, 1]]).tolist(),
-             "typical_distance_mm": spread, "turn_fixed": not others, "other_turns": others,
-             "deviation": {"mean_mm": float(away.mean()), "signed_mean_mm": float(signed.mean()),
-                           "rms_mm": float(np.sqrt((away ** 2).mean())),
-                           **{f"p{share}_mm": float(np.percentile(away, share))
-                              for share in (50, 90, 95, 99)},
-                           "max_mm": float(away.max()),
-                           "hausdorff_mm": float(max(away.max(), back.max()))},
-             "covered": float((counts > 0).mean()), "points": np.c_[points, signed]}
-    if not others:
-        found["tiles"] = [{"tile": tile_name(row), "median_mm": float(np.median(of_tile[row])),
-                           "points": int(counts[row])}
-                          for row in np.flatnonzero(counts >= (1 if named else PER_TILE))]
-    if not others and not named:
-        found["openings"] = openings(design, native.tile_shapes(design), points, owners, signed)
-    return found
+    turn_fixed = not laid.other_turns
+    comparison = {
+        "format": FORMAT, "version": VERSION, "name": design.name,
+        "by": "markers" if markers else "surface", "points_given": len(points),
+        "transform": np.vstack([np.c_[laid.R, laid.t], [0, 0, 0, 1]]).tolist(),
+        "pose": {"noise_mm": laid.noise, "loss_mm": laid.loss_scale,
+                 "rotation_sd_deg": np.degrees(laid.rotation_deviation).tolist(),
+                 "translation_sd_mm": laid.translation_deviation.tolist()},
+        "turn_fixed": turn_fixed, "other_turns": laid.other_turns,
+        "deviation": {"mean_mm": float(away.mean()), "signed_mean_mm": float(signed.mean()),
+                      "rms_mm": float(np.sqrt((away ** 2).mean())),
+                      **{f"p{share}_mm": float(np.percentile(away, share)) for share in (50, 90, 95, 99)},
+                      "max_mm": float(away.max()), "hausdorff_mm": float(max(away.max(), back.max()))},
+        "covered": float((counts > 0).mean()), "points": np.c_[points, signed]}
+    if turn_fixed:
+        of_tile = np.split(signed[np.argsort(owners, kind="stable")], np.cumsum(counts)[:-1])
+        comparison["tiles"] = [{"tile": tile_name(row), "median_mm": float(np.median(of_tile[row])),
+                                "points": int(counts[row])}
+                               for row in np.flatnonzero(counts >= (1 if markers else PER_TILE))]
+    return comparison
 
 
 def predicted(path: Path) -> dict[str, Any]:
-    """What settled forces say of a design that a scan would see, from the report.json beside it; empty where
-    it is not of this design.json, or damaged."""
+    """Deviation and open contacts by settled forces, from the report.json beside a design; empty if that is
+    damaged or not of this design.json."""
     try:
         report = json.loads((path.parent / "report.json").read_text("utf-8"))
         settled, size = report["settled"], path.stat().st_size
@@ -185,10 +180,10 @@ def said(found: dict[str, Any]) -> list[str]:
              f"{block['p95_mm']:.3f} mm, largest {block['max_mm']:.3f} mm, Hausdorff "
              f"{block['hausdorff_mm']:.3f} mm",
              f"{found['points_given']} points cover {100 * found['covered']:.0f} % of the tiles"]
-    if "openings" in found:
-        block = found["openings"]
-        lines.append(f"{len(block['open'])} of {block['contacts_seen']} contacts that the scan shows are "
-                     f"open by more than {block['limit_mm']:g} mm: {_pairs(block['open'])}")
+    pose = found["pose"]
+    lines.append(f"the pose is certain to {max(pose['translation_sd_mm']):.2g} mm and "
+                 f"{max(pose['rotation_sd_deg']):.2g} deg (standard deviations, for independent noise of "
+                 f"{pose['noise_mm']:.2g} mm)")
     if "predicted" in found:
         block = found["predicted"]
         lines.append(f"settled forces predict: mean {block['deviation']['mean_mm']:.3f} mm, largest "

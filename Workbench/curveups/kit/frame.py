@@ -1,44 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The files of a print that goes on several beds: what each prints, and the frame in which parts butt."""
+"""The frame in which parts of a print from several beds butt."""
 
 from __future__ import annotations
 
-from functools import partial
-from typing import Any, Callable
+from typing import Any
 
 import numpy as np
 
 from ..base.language import Text
-from ..report.shop import has_bridges
-from .beds import FIT, bed_name
+from .beds import FIT
 from .drawing import Drawing, made
 from .kit import Kit
-from .print_shop import fused, project
 
 _NOTE = Text("""Parts of the print with their numbers, seen from above, the side that lies up on the
 beds.""")
 EDGE = 15.0  # mm of the frame around its pocket
 
 
-def files(kit: Kit) -> dict[str, Callable[[], bytes]]:
-    """What makes each file, by its name; none where one bed has room for all."""
-    found: dict[str, Callable[[], bytes]] = {}
-    if kit.beds is None:
-        return found
-    for number, model in enumerate(kit.prints):
-        bed = bed_name(number)
-        for ending in ("3mf", "step"):
-            found[kit.named((bed, ending))] = partial(kit.written, model, ending, "print")
-        found[kit.named((f"{bed}-prusa", "3mf"))] = partial(project, kit, model)
-        for ending in ("stl", "3mf") if has_bridges(kit.results.parameters) else ():
-            found[kit.named((f"{bed}-fused", ending))] = partial(fused, kit, ending, model)
-    if kit.beds.seams:
-        for kind in ("dxf", "pdf"):
-            found[f"{kit.name}-frame.{kind}"] = partial(_frame, kit, kind)
-    return found
-
-
-def _frame(kit: Kit, kind: str) -> bytes:
+def make(kit: Kit, kind: str) -> bytes:
+    """The frame as dxf or pdf."""
     return made(frame(kit), kind, [kit.say(_NOTE)], kit.go_on, kit.say)
 
 
