@@ -7,7 +7,8 @@ are lower than the print is high.
 
 The sheet pulls at the teeth within the frame's plane and above its middle. So a side bends inwards as a beam
 of a closed frame, and turns: that bends its neighbours out of the plane. Beam formulas with shear and torsion
-say how far; joints bend by their necks alone. The plate is as thick as it takes to stay below a millimetre.
+give the deflections of a ring in one part; a dovetail in the middle of a side adds a tenth. The plate is thick
+enough to stay below a millimetre.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ import numpy as np
 THICKNESSES = (12.0, 15.0, 18.0, 21.0, 24.0, 30.0)  # mm, of which plywood is sold
 MODULUS = 2000.0     # MPa, of rigid photopolymers; PLA and plywood have more
 POISSON = 0.35
-MOST = 1.0           # mm that a side may give way
+MOST = 0.9           # mm that a side may give way without dovetails
 DOWEL = 5.0          # mm, diameter of teeth
 TOOTH = 7.0          # mm that a tooth sticks out, at most
 CLEAR = 0.5          # mm between a tooth and the other ring's sheet
@@ -103,8 +104,7 @@ def rings(block: Mapping[str, Any], height: float, bed: Sequence[float]) -> dict
     pulls = {side: load[0] / window[1] for side, load in block["load_n"].items()}  # N/mm
     cut = {side: cuts(block, side, bed) for side in pulls}
     for thickness in THICKNESSES:
-        bends = {side: _gives_way(block, pull, thickness, tooth, bool(cut[side]))
-                 for side, pull in pulls.items()}
+        bends = {side: _gives_way(block, pull, thickness, tooth) for side, pull in pulls.items()}
         if max(max(both) for of_side in bends.values() for both in of_side) < MOST:
             break
     sides = {side: {"load_n": block["load_n"][side], "parts": max(1, len(cut[side])),
@@ -117,9 +117,9 @@ def rings(block: Mapping[str, Any], height: float, bed: Sequence[float]) -> dict
             "tooth_height_mm": tooth, "apart_mm": height, "modulus_mpa": MODULUS, **sides}
 
 
-def _gives_way(block: Mapping[str, Any], pull: float, thickness: float, tooth: float, jointed: bool
+def _gives_way(block: Mapping[str, Any], pull: float, thickness: float, tooth: float
                ) -> tuple[list[float], list[float]]:
-    """mm by which the middles of sides along x and y bend inwards, and by which their inner edges leave the
+    """Deflections in mm of the middles of sides along x and y: inwards, and of their inner edges out of the
     plane. pull: N/mm."""
     width = frame_width(block)
     spans = [size + width for size in block["window_mm"]]  # between the middles of corners
@@ -128,33 +128,14 @@ def _gives_way(block: Mapping[str, Any], pull: float, thickness: float, tooth: f
     torsion = width * thickness ** 3 / 3 * (1 - 0.63 * thickness / width)
     turning = pull * (thickness + tooth) / 2
     corner = pull * sum(span ** 3 for span in spans) / (12 * sum(spans))
-    joint, joint_level = _joint(block, thickness)
     inwards, out = [], []
     for span, other in (spans, spans[::-1]):
-        middle = pull * span ** 2 / 8 - corner
         bent = (5 * pull * span ** 4 / 384 - corner * span ** 2 / 8) / (MODULUS * upright)
         bent += pull * span ** 2 / 8 / (5 / 6 * shear * width * thickness)
         end = turning * other / 2  # constant along the side
         risen = end * span ** 2 / (8 * MODULUS * level)
         risen += width / 2 * (turning * span * other / (4 * MODULUS * level)
                               + turning * span ** 2 / (8 * shear * torsion))
-        if jointed:  # as if all of a side's joints were one in its middle
-            bent += abs(middle) * TONGUE / (MODULUS * joint) * span / 4
-            risen += end * TONGUE / (MODULUS * joint_level) * span / 4
         inwards.append(bent)
         out.append(risen)
     return inwards, out
-
-
-def _joint(block: Mapping[str, Any], thickness: float) -> tuple[float, float]:
-    """Moments of inertia of a joint's necks, mm4, upright and level; of the weaker of all joints."""
-    width, pitch = frame_width(block), block["tooth_pitch_mm"]
-    found = []
-    for shift in (-0.5, 0.0, 0.5):  # the back's teeth stand further in or further out
-        rows = [width - (k + 1 + shift) * pitch for k in range(block["tooth_rows"])]
-        middle, neck = np.array(tongues(rows, width)).T - [[0], [2 * FLARE]]
-        mean = (middle * neck).sum() / neck.sum()
-        found.append((thickness * (neck ** 3 / 12 + neck * (middle - mean) ** 2).sum(),
-                      neck.sum() * thickness ** 3 / 12))
-    upright, level = np.min(found, axis=0)
-    return float(upright), float(level)
