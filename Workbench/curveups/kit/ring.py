@@ -7,8 +7,8 @@ are lower than the print is high.
 
 The sheet pulls at the teeth within the frame's plane and above its middle. So a side bends inwards as a beam
 of a closed frame, and turns: that bends its neighbours out of the plane. Beam formulas with shear and torsion
-give the deflections of a ring in one part; a dovetail in the middle of a side adds a tenth. The plate is thick
-enough to stay below a millimetre.
+give the deflections of a ring in one part; a dovetail in the middle of a side adds a tenth. The plate is
+thick enough to stay below a millimetre.
 """
 
 from __future__ import annotations
