@@ -51,9 +51,9 @@ TargetFigures target_figures(const TriangleMesh& mesh, const Edges& cuts,
 
 // Obstacles and warnings of a target: "sharp_fold" (error): folds sharper than a tile of this
 // thickness can have; "folded_over" (error): tiles that overlap in the target whatever is cut off;
-// "joint.room" and "joint.no_room" (errors): no room for stitching holes; "hinge": contacts that
-// are only a hinge; "small_pin": pin sides that can't reach A_pin_min; "edge_length": edges far
-// from L. Throws what make_tile_mesh throws.
+// "joint.room" (error): no room for stitching holes; "hinge": contacts that are only a hinge;
+// "small_pin": pin sides that can't reach A_pin_min; "edge_length": edges far from L. Throws what
+// make_tile_mesh throws.
 std::vector<Finding> check_target(const TriangleMesh& mesh, const Edges& cuts,
                                   const Parameters& parameters);
 

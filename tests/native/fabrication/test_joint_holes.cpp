@@ -153,7 +153,7 @@ INSTANTIATE_TEST_SUITE_P(FlatDomeSaddleBowl, JointHolesOf,
                                            std::array<double, 2>{-0.01, -0.01}));
 
 TEST(JointHoles, LongEdgesHaveTwo) {
-  Parameters p = sewn(1.0);
+  Parameters p = sewn();
   p.L = 14;
   p.p_max = 6;
   const PrintModel model = make_print_model(test::sample_design(p, halves(0.004, 0.004)));

@@ -5,6 +5,7 @@
 #include "curveups/layout/arrange.hpp"
 #include "curveups/layout/initial_layout.hpp"
 #include "curveups/layout/layout.hpp"
+#include "curveups/layout/layout_terms.hpp"
 #include "support/meshes.hpp"
 
 namespace curveups {
