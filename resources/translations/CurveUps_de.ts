@@ -1634,7 +1634,7 @@
     </message>
     <message>
       <source>bridges enter tiles by {0} mm: into joint holes, behind {1} mm of wall (p_floor)</source>
-      <translation type="unfinished" />
+      <translation>Brücken reichen {0} mm in Kacheln hinein: in Nählöcher hinter {1} mm Wand (p_floor)</translation>
     </message>
     <message>
       <source>bring tiles that lie far away back to the others</source>
@@ -1818,11 +1818,11 @@
     </message>
     <message>
       <source>compute the layout again, lower A_pin_floor or H_body, raise L, or set joint to none</source>
-      <translation type="unfinished" />
+      <translation>die Abwicklung neu berechnen, A_pin_floor oder H_body verringern, L erhöhen oder joint auf none setzen</translation>
     </message>
     <message>
       <source>compute the layout again, or set support to breakaway</source>
-      <translation type="unfinished" />
+      <translation>die Abwicklung neu berechnen oder support auf breakaway setzen</translation>
     </message>
     <message>
       <source>contact {contact} has {share:.2f} of f_min: {why}</source>
@@ -2514,7 +2514,7 @@
     </message>
     <message>
       <source>lower A_pin_floor or H_body, raise L, or set joint to none</source>
-      <translation type="unfinished" />
+      <translation>A_pin_floor oder H_body verringern, L erhöhen oder joint auf none setzen</translation>
     </message>
     <message>
       <source>lower A_pin_floor or raise A_pin_min</source>
@@ -2550,7 +2550,7 @@
     </message>
     <message>
       <source>lower anchor_radius, or compute the layout again</source>
-      <translation type="unfinished" />
+      <translation>anchor_radius verringern oder die Abwicklung neu berechnen</translation>
     </message>
     <message>
       <source>lower bump_height or raise d_gap_min</source>
@@ -2930,7 +2930,7 @@
     </message>
     <message>
       <source>raise H_body, or choose another support</source>
-      <translation type="unfinished" />
+      <translation>H_body erhöhen oder einen anderen Stützkörper wählen</translation>
     </message>
     <message>
       <source>raise d_gap_min, or set support to breakaway</source>
@@ -2946,7 +2946,7 @@
     </message>
     <message>
       <source>raise mesh_deviation</source>
-      <translation type="unfinished" />
+      <translation>mesh_deviation erhöhen</translation>
     </message>
     <message>
       <source>raise p_floor to {0} mm or more, or set joint to none</source>
@@ -2954,7 +2954,7 @@
     </message>
     <message>
       <source>raise p_floor, or set support to soluble</source>
-      <translation type="unfinished" />
+      <translation>p_floor erhöhen oder support auf soluble setzen</translation>
     </message>
     <message>
       <source>raise tau, or lower p_max so that pins pull more strongly</source>
@@ -3114,7 +3114,7 @@
     </message>
     <message>
       <source>set bumps to none</source>
-      <translation type="unfinished" />
+      <translation>bumps auf none setzen</translation>
     </message>
     <message>
       <source>set bumps to none, or raise bump_height</source>
@@ -3698,7 +3698,7 @@
     </message>
     <message>
       <source>the surplus membrane pulls with {pull:.3g N} at an anchor, whose glue then carries {shear:.3g MPa} of shear, more than glue_strength ({limit:g MPa}): raise anchor_radius</source>
-      <translation type="unfinished" />
+      <translation>Die überstehende Membran zieht mit {pull:.3g N} an einem Anker, dessen Kleber dann {shear:.3g MPa} Schub trägt, mehr als glue_strength ({limit:g MPa}): anchor_radius erhöhen</translation>
     </message>
     <message>
       <source>the target is in {count} pieces, {asked} are asked for</source>
@@ -4551,7 +4551,7 @@
     </message>
     <message>
       <source>Lay the {parts} parts, their {first} up, into the frame {name}-frame.dxf, cut of a plate 3 mm thick, by their numbers ({which}), and press them together. A part fits its pocket with its {first} up alone. Parts that lie askew leave gaps wider than {opening:g} mm: file their edges. The first membrane is glued over all of them at once.</source>
-      <translation type="unfinished" />
+      <translation>Die {parts} Teile, ihre {first} oben, nach ihren Nummern ({which}) in den Rahmen {name}-frame.dxf legen, der aus einer 3 mm dicken Platte geschnitten ist, und zusammenschieben. Ein Teil passt nur mit seiner {first} oben in seine Tasche. Teile, die schief liegen, lassen mehr als {opening:g} mm Spalt: ihre Kanten feilen. Die erste Membran wird auf einmal über alle geklebt.</translation>
     </message>
     <message>
       <source>Layer, tolerance</source>
@@ -4643,7 +4643,7 @@
     </message>
     <message>
       <source>Print the drawing {name}-frame.pdf at 100 %, and hold the {parts} parts on it by thin double-sided tape below them, their {first} up, tile on tile, by their numbers ({which}). A part matches the drawing with its {first} up alone. Gaps between parts are {opening:g} mm wider than those inside of them, and no tile may be more than {error:g} mm off its place. The first membrane is glued over all of them at once.</source>
-      <translation type="unfinished" />
+      <translation>Die Zeichnung {name}-frame.pdf mit 100 % drucken und die {parts} Teile mit dünnem doppelseitigem Klebeband unter ihnen darauf befestigen, ihre {first} oben, Kachel auf Kachel, nach ihren Nummern ({which}). Ein Teil stimmt nur mit seiner {first} oben mit der Zeichnung überein. Spalte zwischen Teilen sind {opening:g} mm breiter als die in ihnen, und keine Kachel darf mehr als {error:g} mm neben ihrem Platz liegen. Die erste Membran wird auf einmal über alle geklebt.</translation>
     </message>
     <message>
       <source>Printer compared with</source>
@@ -4663,7 +4663,7 @@
     </message>
     <message>
       <source>Seen from the front, at the size of the stretched sheet. Lay it on the front sheet before that leaves its ring: the thin triangles are the outer pins, what stands around them are anchors. Copy the thick red lines, {trim:g} mm outside of the pins, and cut along these once the shell is off its rings. Where small circles lie on them, punch these first.</source>
-      <translation type="unfinished" />
+      <translation>Von vorne gesehen, in der Größe der gedehnten Folie. Auf die Folie der Vorderseite legen, bevor sie vom Ring kommt: die dünnen Dreiecke sind die äußeren Zapfen, was um sie herum steht, sind Anker. Die dicken roten Linien, {trim:g} mm außerhalb der Zapfen, übertragen und daran entlang schneiden, sobald die Schale von den Ringen ist. Wo kleine Kreise auf ihnen liegen, diese zuerst ausstanzen.</translation>
     </message>
     <message>
       <source>Ship flat, between two stiff boards.</source>
@@ -5051,7 +5051,7 @@
     </message>
     <message>
       <source>{lies} There are {bodies} bodies: {counts}. The map at the end of this sheet has the number of each tile. What is missing or broken is printed anew by its number, and laid into its place before gluing: the program CurveUps writes tile 12 by “curveups export design.json --tiles T00012 -o spares”. {weak}</source>
-      <translation type="unfinished" />
+      <translation>{lies} Es sind {bodies} Körper: {counts}. Der Plan am Ende dieser Anleitung hat die Nummer jeder Kachel. Was fehlt oder zerbrochen ist, wird nach seiner Nummer neu gedruckt und vor dem Kleben an seinen Platz gelegt: das Programm CurveUps schreibt Kachel 12 mit „curveups export design.json --tiles T00012 -o spares“. {weak}</translation>
     </message>
     <message>
       <source>{name}-former.stl, {volume:.0f} cm³, printed hollow of any plastic</source>
