@@ -1369,8 +1369,16 @@
       <translation>FreeCADs Python wurde nicht gefunden</translation>
     </message>
     <message>
+      <source>H_body = {value:g mm}</source>
+      <translation>H_body = {value:g mm}</translation>
+    </message>
+    <message>
       <source>H_body can be up to {H_body:g mm} (at L {L:.4g mm})</source>
       <translation>H_body kann bis zu {H_body:g mm} sein (bei L {L:.4g mm})</translation>
+    </message>
+    <message>
+      <source>L = {value:g mm}</source>
+      <translation>L = {value:g mm}</translation>
     </message>
     <message>
       <source>L and the edge of holes must be lengths</source>

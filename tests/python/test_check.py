@@ -184,27 +184,28 @@ def test_stretch_is_in_the_way_where_some_tiles_are_slack_and_others_narrow():
         assert not too_stretched(stretch, ranges).any()
 
 
-@pytest.mark.parametrize("height, as_set", [(lambda x, y: 6 * math.exp(-(x * x + y * y) / 240), True),
-                                            (lambda x, y: -1.3 * abs(x), False)])
-def test_sizes_within_limits_do_and_those_beyond_do_not(height, as_set):
+@pytest.mark.parametrize("height, H_body, as_set", [
+    (lambda x, y: 6 * math.exp(-(x * x + y * y) / 240), 3.0, True),
+    (lambda x, y: -0.75 * abs(x), 5.0, False)])
+def test_sizes_within_limits_do_and_those_beyond_do_not(height, H_body, as_set):
     V, F = sheet(height, 25, 40)
-    results = project(V, F).run(LIMITS)
+    results = project(V, F, H_body=H_body).run(LIMITS)
     found = results["sizes"]
     assert results["feasibility"].feasible == as_set
 
     def works(**values):
-        made = project(V, F, **values).run(("target",))
+        made = project(V, F, **{"H_body": H_body, **values}).run(("target",))
         return examine(made["target"].V, made["target"].F, NO_CUTS, made.parameters).feasible
 
     low, high = found.L
     assert works(L=low) and works(L=high) and low <= high
     assert (low <= 7 <= high) == as_set
-    if low > 2.8:  # 7 / 2.5
-        assert not works(L=float(f"{0.94 * low:.2g}"))
-    assert works(H_body=found.H_body) and (found.H_body >= 3) == as_set
+    below = low - 10 ** (math.floor(math.log10(0.999 * low)) - 1)  # the next value of two digits
+    assert below < 7 / 2.5 or not works(L=below)
+    assert works(H_body=found.H_body) and (found.H_body >= H_body) == as_set
     assert not works(H_body=1.06 * found.H_body)
     said = [str(one) for one in check.advice(results)]
-    assert said[:2] == [f"L can be {low:g} to {high:g} mm (at H_body 3 mm)",
+    assert said[:2] == [f"L can be {low:g} mm to {high:g} mm (at H_body {H_body:g} mm)",
                         f"H_body can be up to {found.H_body:g} mm (at L 7 mm)"]
 
 

@@ -31,8 +31,8 @@ def test_a_sentence_names_what_its_figures_are():
     inner = Finding("recheck", WEAK.tiles, {"reason": WEAK})
     assert str(inner) == f"on a membrane mesh of half the size: {WEAK}"
     both = Finding.about("tried.valid", sizes=tuple(
-        Finding.about("size", name=name, value=value) for name, value in (("L", 9.0), ("H_body", 2.5))))
-    assert str(both) == "tried L=9, H_body=2.5: valid"
+        Finding.about(kind, value=value) for kind, value in (("size.L", 9.0), ("size.H_body", 2.5))))
+    assert str(both) == "tried L = 9 mm, H_body = 2.5 mm: valid"
     many = Finding.about("thin_p_min", range(9), least=0.25, at=tuple(range(9)), printer="PolyJet", makes=0.6)
     assert "at T00001, T00002, T00003, T00004, T00005, T00006 and 3 more, below" in str(many)
     assert many.tiles == tuple(range(9))

@@ -76,7 +76,7 @@ def test_thickness_and_both():
 
 def test_a_deviation_out_of_reach_is_refused_with_what_was_tried():
     V, F = dome(26 * 2 ** 0.5, 40)  # a steep rim
-    with pytest.raises(CurveUpsError, match="no size was found that works: tried L=.*from the surface"):
+    with pytest.raises(CurveUpsError, match="no size was found that works: tried L = .*from the surface"):
         choose(project(V, F, maximum_deviation=1e-3), "L")
 
 
@@ -90,13 +90,13 @@ def test_thinner_tiles_are_solved_until_a_design_is_valid():
     tried = [one.values["H_body"] for one in choice.tried]
     assert tried == sorted(tried, reverse=True)
     said = [str(one) for one in choice.findings()]
-    assert said[0].startswith(f"tried H_body={tried[0]:g}: not valid, the back membrane would cut")
-    assert said[-1] == f"tried H_body={tried[-1]:g}: valid"
+    assert said[0].startswith(f"tried H_body = {tried[0]:g} mm: not valid, the back membrane would cut")
+    assert said[-1] == f"tried H_body = {tried[-1]:g} mm: valid"
 
 
 def test_sizes_that_margins_refuse_are_not_solved():
     V, F = tent(7)
-    with pytest.raises(CurveUpsError, match="tried H_body=4.3: not valid, 2 of 64 tiles can't be made"):
+    with pytest.raises(CurveUpsError, match="tried H_body = 4.3 mm: not valid, 2 of 64 tiles can't be made"):
         choose(project(V, F[:, ::-1], L=10.0), "H_body")
 
 
@@ -108,7 +108,7 @@ def test_the_command_line_says_where_no_size_gives_a_valid_design(curveups, cap,
     assert "no design with the sizes that were tried is valid" in ran.err
     values = json.loads((tmp_path / "design.json").read_text("utf-8"))["parameters"]
     assert f"H_body = {values['H_body']:g} mm is chosen" in ran.err
-    assert ran.err.count("tried H_body=") > 1, ran.err
+    assert ran.err.count("tried H_body = ") > 1, ran.err
 
 
 def test_a_choice_can_be_stopped():

@@ -93,10 +93,10 @@ def test_a_ring_has_its_handle_cut(curveups, shapes_folder, tmp_path):
     assert report["layout"]["converged"]
 
 
-def test_cuts_are_the_same_with_one_and_two_threads(curveups, shapes_folder, tmp_path):
+def test_cuts_are_the_same_with_one_and_two_threads(curveups_process, shapes_folder, tmp_path):
     for threads in ("1", "2"):
-        ran = curveups("design", shapes_folder / "sphere.obj", "-o", tmp_path / threads, *FAST,
-                       "--auto-cuts", "2", CURVEUPS_THREADS=threads)
+        ran = curveups_process("design", shapes_folder / "sphere.obj", "-o", tmp_path / threads, *FAST,
+                               "--auto-cuts", "2", CURVEUPS_THREADS=threads)
         assert ran.status == 0, ran.err
     for name in ("design.json", "report.html"):
         assert (tmp_path / "1" / name).read_bytes() == (tmp_path / "2" / name).read_bytes()

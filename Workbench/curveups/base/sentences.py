@@ -369,6 +369,8 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "limits.H_body": "H_body can be up to {H_body:g mm} (at L {L:.4g mm})",
     "limits.no_H_body": "no H_body was found at which all tiles can be made (at L {L:.4g mm})",
     "limits.estimated": "these limits are estimates: Solve tells whether a design is valid",
+    "size.L": "L = {value:g mm}",
+    "size.H_body": "H_body = {value:g mm}",
     "tried.valid": "tried {sizes:, }: valid",
     "tried.not_valid": "tried {sizes:, }: not valid, {why:; }",
     "tried.blocked": "{count} of {of} tiles can't be made or are likely to fail",

@@ -14,7 +14,8 @@ from ..stages.sizes import LEAST_TILES, can_remesh, length_of, rounded, unhinder
 from ..stages.stage import Job
 from .project import Project
 
-AUTOMATIC = ("L", "H_body")  # parameters that may be "auto"
+_SENTENCES = {"L": "size.L", "H_body": "size.H_body"}
+AUTOMATIC = tuple(_SENTENCES)  # parameters that may be "auto"
 MOST_TILES = 5000  # a length is chosen as long as there are no more
 MOST_TRIED = 6     # lengths, and thicknesses
 SHORTER = 0.85     # the next length
@@ -33,7 +34,7 @@ class Tried:
 
     @property
     def finding(self) -> Finding:
-        sizes = tuple(Finding.about("size", name=name, value=value) for name, value in self.values.items())
+        sizes = tuple(Finding.about(_SENTENCES[name], value=value) for name, value in self.values.items())
         if self.why:
             return Finding.about("tried.not_valid", sizes=sizes, why=self.why)
         return Finding.about("tried.valid", sizes=sizes)
