@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "curveups/core/checkpoint.hpp"
@@ -159,7 +159,7 @@ class ScanRegistration {
   }
 
   Registration run() {
-    // Points, steps and poses that remain; the time is in the first two.
+    // Points, steps and poses that remain.
     struct Level {
       int points, steps, remaining;
     };
@@ -176,7 +176,7 @@ class ScanRegistration {
     Registration out;
     out.other_turns = count_others(poses);
     checkpoint_at(0.9);
-    const Pose pose = moved(poses.front(), 20000, 30, 0, 1e-4);
+    const Pose pose = refined(poses.front(), 20000, 30, 0, 1e-4);
     out.pose = motion_of(pose, middle_);
     const std::vector<ClosestPoint> nearest = closest(pose, 20000);
     const double noise = noise_of(distances(nearest));
@@ -190,8 +190,8 @@ class ScanRegistration {
  private:
   int count(int most) const { return std::min(most, static_cast<int>(points_.size())); }
 
-  // Turns spread evenly over all (M. Alexa, "Super-Fibonacci spirals", 2022), middles on one
-  // another.
+  // Rotations spread evenly over SO(3) (M. Alexa, "Super-Fibonacci spirals", 2022), with the middles
+  // of scan and surface on one another.
   std::vector<Pose> starts() const {
     Vec3 middle = Vec3::Zero();
     double area = 0;
@@ -252,9 +252,9 @@ class ScanRegistration {
     }
   }
 
-  // The pose after so many steps, fewer where one moves it by less than `arrived`. least: mm within
-  // which points count in any case.
-  Pose moved(Pose pose, int most, int steps, double least, double arrived) const {
+  // Iterated closest points: a step of Ceres at a time, until one moves the pose by less than
+  // `arrived` mm. least: mm within which points count in any case.
+  Pose refined(Pose pose, int most, int steps, double least, double arrived) const {
     for (int step = 0; step < steps; ++step) {
       checkpoint();
       const std::vector<ClosestPoint> nearest = closest(pose, most);
@@ -268,7 +268,7 @@ class ScanRegistration {
     return pose;
   }
 
-  // mm between the places of the scan's points, at most.
+  // Upper bound of the distance between the scan's points under two poses, mm.
   double apart(const Pose& a, const Pose& b) const {
     return (a.shift - b.shift).norm() + radius_ * a.turn.angularDistance(b.turn);
   }
@@ -279,12 +279,12 @@ class ScanRegistration {
     return sum / count(most);
   }
 
-  // The poses with the least loss after so many steps, `scale` mm apart, the best first.
+  // Refined poses with the least loss, `scale` mm apart, the best first.
   std::vector<Pose> best(std::vector<Pose> poses, int most, int steps, int remaining,
                          double scale) const {
     std::vector<std::pair<double, int>> order(poses.size());
     parallel_each(static_cast<int>(poses.size()), [&](int i) {
-      poses[i] = moved(poses[i], most, steps, scale, 0.01);
+      poses[i] = refined(poses[i], most, steps, scale, 0.01);
       order[i] = {loss(poses[i], most, scale), i};
     });
     std::sort(order.begin(), order.end());
@@ -301,7 +301,8 @@ class ScanRegistration {
     return out;
   }
 
-  // Poses whose mean loss is that of the first but for noise, and which take tiles to other tiles.
+  // Number of poses whose mean loss is that of the first but for noise, and which take tiles to
+  // other tiles.
   int count_others(const std::vector<Pose>& poses) const {
     constexpr int most = 3000;
     const std::vector<double> least = distances(closest(poses.front(), most));
