@@ -190,8 +190,8 @@ class ScanRegistration {
  private:
   int count(int most) const { return std::min(most, static_cast<int>(points_.size())); }
 
-  // Rotations spread evenly over SO(3) (M. Alexa, "Super-Fibonacci spirals", 2022), with the middles
-  // of scan and surface on one another.
+  // Rotations spread evenly over SO(3) (M. Alexa, "Super-Fibonacci spirals", 2022), with the
+  // middles of scan and surface on one another.
   std::vector<Pose> starts() const {
     Vec3 middle = Vec3::Zero();
     double area = 0;
