@@ -13,6 +13,7 @@ import FreeCADGui
 
 from ..base.errors import CurveUpsError
 from ..features.document import has_layout, set_running
+from ..features.status import has_tiles
 from ..project.project import Project
 from ..project.worker import WORKER, Outcome, Status
 from ..stages import label_of
@@ -57,7 +58,7 @@ class Live:
         self._place = ("", "")  # document and object that the run is for
         self._drawn, self._rest_until, self._scene_drawn = 0, 0.0, False
         self._told = ("", 0.0)  # of which stage the observers were last, and when
-        self._first = False    # whether the design had no layout before
+        self._before = False, False  # whether the design had tiles, and a layout
         self._drawing = False  # the document has the results; the picture follows
 
     @property
@@ -87,7 +88,7 @@ class Live:
         WORKER.start_work(task.work, self._ended)
         self._task, self._place = task, (design.Document.Name, design.Name)
         self._drawn, self._rest_until, self._scene_drawn = 0, 0.0, False
-        self._first = not has_layout(design)
+        self._before = has_tiles(design), has_layout(design)
         set_running(design, True)
         self._timer.start(INTERVAL)
         self._tell(True)
@@ -179,7 +180,7 @@ class Live:
         overlay_of(design).show_design()
 
     def _show(self, task: Task) -> None:
-        """Draws what a run has made, tells of its end, and brings a first layout into view."""
+        """Draws what a run has made, tells of its end, and brings first tiles and a first layout into view."""
         self._drawing, design = False, self._design()
         if design is not None:
             with errors_shown(task.title):
@@ -193,7 +194,7 @@ class Live:
             with errors_shown(task.title):
                 task.told()
         view = active_view(design.Document.Name)
-        if self._first and view is not None and has_layout(design):
+        if view is not None and self._before != (has_tiles(design), has_layout(design)):
             view.fitAll()
 
     def _design(self) -> Any:
