@@ -180,7 +180,7 @@ class Live:
         overlay_of(design).show_design()
 
     def _show(self, task: Task) -> None:
-        """Draws what a run has made, tells of its end, and brings first tiles and a first layout into view."""
+        """Draws what a run has made, tells of its end, and brings first tiles or a first layout into view."""
         self._drawing, design = False, self._design()
         if design is not None:
             with errors_shown(task.title):

@@ -21,12 +21,11 @@ from ..notice import errors_shown
 from ..overlay.cut_lines import CutLines
 from ..overlay.pick_tool import PickTool
 from ..overlay.picking import Pick
+from ..overlay.watching import unit_observers
 from ..qt import QtCore, QtWidgets, translate
 from ..run import LIVE, Task
 from .cut_layout import CutLayout
 from .panel import Panel, enable
-
-_INTERVAL = 150  # ms between looks at whether the cuts have changed elsewhere, by undo above all
 
 
 class CutsPanel(Panel):
@@ -54,16 +53,19 @@ class CutsPanel(Panel):
         form.cuts.header().setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
         self._show_buttons()
         self._follow()
-        self._timer = QtCore.QTimer(form)
-        self._timer.timeout.connect(lambda: self._look_at_cuts())
+        self._edited = QtCore.QTimer(form)
+        self._edited.setSingleShot(True)
+        self._edited.timeout.connect(lambda: self._look_at_cuts())
+        FreeCAD.addDocumentObserver(self)
+        unit_observers.append(self._look_at_cuts)
         with errors_shown(translate("CurveUps_Cuts", "Cuts")):
             self._prepare()
-        self._timer.start(_INTERVAL)
 
     def close(self) -> None:
         super().close()
-        if self.form is not None:
-            self._timer.stop()
+        if self._look_at_cuts in unit_observers:
+            FreeCAD.removeDocumentObserver(self)
+            unit_observers.remove(self._look_at_cuts)
         if LIVE.runs_on(self.design):
             LIVE.cancel()
         if self._tool is not None:
@@ -77,6 +79,11 @@ class CutsPanel(Panel):
         if self._overlay.scene is not None:
             self._uncover()
         self._draw()
+
+    def slotChangedObject(self, obj: Any, name: str) -> None:
+        """A property of a document object has changed, by undo too."""
+        if name == "Edges" and not self._overlay.closed and obj == self.design.Cuts:
+            self._edited.start(0)
 
     # The target whose edges are picked.
 
@@ -155,12 +162,9 @@ class CutsPanel(Panel):
 
     def _look_at_cuts(self) -> None:
         """Follows undo, redo and scripts."""
-        try:
-            edges, schema = tuple(self._edges()), FreeCAD.Units.getSchema()
-        except ReferenceError:  # the design is gone: Panel closes itself
+        if self.form is None or self._paths is None:
             return
-        if self._paths is None:
-            return
+        edges, schema = tuple(self._edges()), FreeCAD.Units.getSchema()
         if (edges, schema) != self._listed:
             before, self._listed = self._listed, (edges, schema)
             self._list(edges)
