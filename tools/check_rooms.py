@@ -29,6 +29,7 @@ LIBRARIES = (
     ("CHOLMOD", r"cholmod.*|suitesparse/.*", {"numerics"}),
     ("oneTBB", r"(tbb|oneapi)/.*", {"core"}),
     ("CGAL", r"CGAL/.*", {"geometry"}),
+    ("Ceres", r"ceres/.*", {"geometry"}),
     ("pybind11", r"pybind11/.*", {"bindings"}),
 )
 
