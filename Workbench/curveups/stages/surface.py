@@ -93,15 +93,8 @@ def find_source(target: str, **options: Any) -> Source:
 
 
 def file_stamp(path: str) -> str:
-    """A digest of a file's content; empty where there is no such file, it can't be read, or it is empty:
-    files of the system that say so may be read for ever."""
+    """A digest of a file's content; empty where it can't be read."""
     try:
-        if not Path(path).is_file() or not Path(path).stat().st_size:
-            return ""
-        found = hashlib.sha256()
-        with open(path, "rb") as file:
-            while piece := file.read(1 << 20):
-                found.update(piece)
-        return found.hexdigest()
-    except (OSError, ValueError):  # ValueError: a null character in the name
+        return hashlib.sha256(Path(path).read_bytes()).hexdigest()
+    except OSError:
         return ""
