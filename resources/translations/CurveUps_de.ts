@@ -179,10 +179,6 @@
       <translation>Wählen, welche Seite eines CAD-Teils mit Wand zur Zielfläche wird. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Clearance between a bump and its dimple. From 0 to 2 mm. Takes effect at once.</source>
-      <translation>Spiel zwischen Noppe und Mulde. Von 0 bis 2 mm. Wirkt sofort.</translation>
-    </message>
-    <message>
       <source>Coefficient of Coulomb friction between tiles, also at bumps. From 0.01 to 10. Takes effect with Verify.</source>
       <translation>Koeffizient der Coulombschen Reibung zwischen Kacheln, auch an Noppen. Von 0.01 bis 10. Wirkt mit „Prüfen“.</translation>
     </message>
@@ -195,56 +191,16 @@
       <translation>Dichte der Kacheln. Aus ihr folgt ihr Gewicht. Von 0 bis 30 g/cm3. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
-      <source>Depth of the engraving. From 0.05 to 10 mm. Takes effect at once.</source>
-      <translation>Tiefe der Gravur. Von 0.05 bis 10 mm. Wirkt sofort.</translation>
-    </message>
-    <message>
-      <source>Depth to which a bridge enters each body. From 0 to 5 mm. Takes effect at once.</source>
-      <translation>Tiefe, mit der eine Brücke in jeden Körper reicht. Von 0 bis 5 mm. Wirkt sofort.</translation>
-    </message>
-    <message>
-      <source>Diameter of a friction bump at its wall. From 0.1 to 10 mm. Takes effect at once.</source>
-      <translation>Durchmesser einer Reibnoppe an ihrer Wand. Von 0.1 bis 10 mm. Wirkt sofort.</translation>
-    </message>
-    <message>
-      <source>Diameter of a stitching hole. Pins leave space for it, and p_floor of material stays around it. From 0.2 to 10 mm. Takes effect with Solve.</source>
-      <translation>Durchmesser eines Nählochs. Zapfen lassen ihm Platz, und ringsum bleibt p_floor an Material stehen. Von 0.2 bis 10 mm. Wirkt mit „Lösen“.</translation>
-    </message>
-    <message>
       <source>Direction of gravity as x,y,z in the coordinates of the target. Its length has no effect. Takes effect with Verify.</source>
       <translation>Richtung der Schwerkraft als x,y,z in den Koordinaten des Ziels. Ihre Länge hat keine Wirkung. Wirkt mit „Prüfen“.</translation>
-    </message>
-    <message>
-      <source>Distance between the axes of neighbouring anchors. From 1 to 500 mm. Takes effect at once.</source>
-      <translation>Abstand der Achsen benachbarter Anker. Von 1 bis 500 mm. Wirkt sofort.</translation>
-    </message>
-    <message>
-      <source>Distance from the front pin tops down to the slab. It keeps the glue on the pins away from the slab. From 0 to 50 mm. Takes effect at once.</source>
-      <translation>Abstand der Platte unter den vorderen Zapfenenden. Er hält den Kleber auf den Zapfen von der Platte fern. Von 0 bis 50 mm. Wirkt sofort.</translation>
-    </message>
-    <message>
-      <source>Distance from the outline of the layout to the anchors. From 0.2 to 200 mm. Takes effect at once.</source>
-      <translation>Abstand der Anker vom Umriss der Abwicklung. Von 0.2 bis 200 mm. Wirkt sofort.</translation>
-    </message>
-    <message>
-      <source>Distance that pins keep from facing pins and from truncation planes at sharp folds. From 0 to 5 mm. Takes effect with Solve.</source>
-      <translation>Abstand, den Zapfen an scharfen Falten von gegenüberliegenden Zapfen und von Kappungsebenen halten. Von 0 bis 5 mm. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
       <source>Elongation at which the membranes break, as their maker states it. The report warns where they stretch further. From 1 to 5000 %. Takes effect with Verify.</source>
       <translation>Dehnung, bei der die Membranen laut Hersteller reißen. Der Bericht warnt, wo sie sich weiter dehnen. Von 1 bis 5000 %. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
-      <source>Engrave name, piece, version and side on a tab beside one anchor of each piece. Takes effect at once.</source>
-      <translation>Name, Stück, Version und Seite in eine Lasche an einem Anker jedes Stücks gravieren. Wirkt sofort.</translation>
-    </message>
-    <message>
       <source>Find how far membranes, friction, glue and the print's growth may change, each alone, until the shape no longer holds. Takes effect with Verify.</source>
       <translation>Findet, wie weit Membranen, Reibung, Kleber und das Wachsen des Drucks sich ändern dürfen, jedes für sich, bis die Form nicht mehr hält. Wirkt mit „Prüfen“.</translation>
-    </message>
-    <message>
-      <source>Half the depth of the notches at which a bridge breaks. From 0 to 10 mm. Takes effect at once.</source>
-      <translation>Halbe Tiefe der Kerben, an denen eine Brücke bricht. Von 0 bis 10 mm. Wirkt sofort.</translation>
     </message>
     <message>
       <source>Height of a friction bump above its wall. From 0.02 to 5 mm. Takes effect at once.</source>
@@ -257,10 +213,6 @@
     <message>
       <source>How much harder than the other either membrane may pull within the margin. From 0 to 90 %. Takes effect with Verify.</source>
       <translation>Um wie viel stärker als die andere jede Membran innerhalb der Reserve ziehen darf. Von 0 bis 90 %. Wirkt mit „Prüfen“.</translation>
-    </message>
-    <message>
-      <source>Include the bumps in STL and 3MF files. Takes effect with the next export.</source>
-      <translation>Die Noppen in STL- und 3MF-Dateien schreiben. Wirkt mit dem nächsten Export.</translation>
     </message>
     <message>
       <source>Keep creases of the target that are sharper than this as edges between tiles. 180 keeps none. From 1 to 180 deg. Takes effect with Solve.</source>
@@ -303,10 +255,6 @@
       <translation>Kleinste Normalkraft an jedem Kontaktpunkt, als Bruchteil der mittleren Normalkraft. Von 0 bis 1. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
-      <source>Let mending move the border of the target where tiles have too little space otherwise. Takes effect with Solve.</source>
-      <translation>Dem Ausbessern erlauben, den Rand der Zielfläche zu verschieben, wo Kacheln sonst zu wenig Platz haben. Wirkt mit „Lösen“.</translation>
-    </message>
-    <message>
       <source>Let repair move vertices of the actuated surface slightly where poses and pins alone don't suffice. Takes effect with Solve.</source>
       <translation>Der Reparatur erlauben, Ecken der aktuierten Fläche etwas zu verschieben, wo Lagen und Zapfen allein nicht genügen. Wirkt mit „Lösen“.</translation>
     </message>
@@ -327,10 +275,6 @@
       <translation>Jede Wand, die ohne Noppen an einer anderen liegt, um so viel zurücksetzen. Das gleicht aus, dass gedruckte Wände wachsen (XY-Kompensation). Von 0 bis 1 mm. Wirkt sofort.</translation>
     </message>
     <message>
-      <source>Move walls with bumps back by half the bump height. This keeps the actuated shape from swelling. Takes effect at once.</source>
-      <translation>Wände mit Noppen um die halbe Noppenhöhe zurücksetzen. So bläht sich die aktuierte Form nicht auf. Wirkt sofort.</translation>
-    </message>
-    <message>
       <source>Multiply the coordinates of a file without units by this factor (1000 for metres). From 1e-06 to 1e+06. Takes effect with Solve.</source>
       <translation>Die Koordinaten einer Datei ohne Einheiten mit diesem Faktor multiplizieren (1000 für Meter). Von 1e-06 bis 1e+06. Wirkt mit „Lösen“.</translation>
     </message>
@@ -343,16 +287,8 @@
       <translation>Anzahl der Stücke, in die die Zielfläche geteilt wird (1 bis 24). auto findet die kleinste Anzahl, die flach liegt. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Number of rows of bumps on an interface. From 2 to 10. Takes effect at once.</source>
-      <translation>Anzahl der Reihen von Noppen auf einer Berührfläche. Von 2 bis 10. Wirkt sofort.</translation>
-    </message>
-    <message>
       <source>Radius of an anchor. From 0.5 to 100 mm. Takes effect at once.</source>
       <translation>Radius eines Ankers. Von 0.5 bis 100 mm. Wirkt sofort.</translation>
-    </message>
-    <message>
-      <source>Scale the target until the longest side of its bounding box has this length. 0 leaves its size to scale. From 0 to 100000 mm. Takes effect with Solve.</source>
-      <translation>Die Zielfläche skalieren, bis die längste Seite ihres Hüllquaders diese Länge hat. Bei 0 bestimmt scale die Größe. Von 0 bis 100000 mm. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
       <source>Shear modulus of the back membrane (latex). From 0.001 to 1000 MPa. Takes effect with Verify.</source>
@@ -387,10 +323,6 @@
       <translation>Die Form hält, wo die Reibung sie im Mittel höchstens um so viel abdriften lässt. 0 steht für 1 % von L. Von 0 bis 100 mm. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
-      <source>Thickness of a breakaway bridge. From 0.1 to 20 mm. Takes effect at once.</source>
-      <translation>Dicke einer Brücke zum Abbrechen. Von 0.1 bis 20 mm. Wirkt sofort.</translation>
-    </message>
-    <message>
       <source>Thickness of a tile from its front face to its back face. From 0.2 to 100 mm. Takes effect at once.</source>
       <translation>Dicke einer Kachel von der Vorder- bis zur Rückseite. Von 0.2 bis 100 mm. Wirkt sofort.</translation>
     </message>
@@ -403,28 +335,8 @@
       <translation>Dicke der vorderen Membran vor dem Dehnen. Von 0.01 bis 10 mm. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
-      <source>Weight of the alignment energy, which puts facing edges opposite each other. From 0 to 1e+06. Takes effect with Solve.</source>
-      <translation>Gewicht der Ausrichtungsenergie, die zugewandte Kanten einander gegenüberstellt. Von 0 bis 1e+06. Wirkt mit „Lösen“.</translation>
-    </message>
-    <message>
-      <source>Weight of the packing energy, which draws facing edges together. From 0 to 1e+06. Takes effect with Solve.</source>
-      <translation>Gewicht der Packungsenergie, die zugewandte Kanten zueinander zieht. Von 0 bis 1e+06. Wirkt mit „Lösen“.</translation>
-    </message>
-    <message>
-      <source>Weight of the spring energy, which keeps the membranes well and evenly stretched. From 0 to 1e+06. Takes effect with Solve.</source>
-      <translation>Gewicht der Federenergie, die die Membranen gut und gleichmäßig gedehnt hält. Von 0 bis 1e+06. Wirkt mit „Lösen“.</translation>
-    </message>
-    <message>
       <source>Width of a breakaway bridge. From 0.1 to 20 mm. Takes effect at once.</source>
       <translation>Breite einer Brücke zum Abbrechen. Von 0.1 bis 20 mm. Wirkt sofort.</translation>
-    </message>
-    <message>
-      <source>Width of the slab around tiles and anchors. From 0.2 to 50 mm. Takes effect at once.</source>
-      <translation>Breite der Platte um Kacheln und Anker herum. Von 0.2 bis 50 mm. Wirkt sofort.</translation>
-    </message>
-    <message>
-      <source>Write STEP files as an assembly with one part per body, or as one part with one solid per body. Takes effect with the next export.</source>
-      <translation>STEP-Dateien als Baugruppe mit einem Teil je Körper schreiben oder als ein Teil mit einem Volumenkörper je Körper. Wirkt mit dem nächsten Export.</translation>
     </message>
     <message>
       <source>Young's modulus of the tiles' material. It says how far walls and bumps give way where tiles settle. From 10 to 1e+06 MPa. Takes effect with Verify.</source>
@@ -602,14 +514,6 @@
     <message>
       <source>there is no folder</source>
       <translation>es gibt keinen Ordner</translation>
-    </message>
-    <message>
-      <source>{folder} holds files of these names and the report of {other}. Replace the files and remove the report?</source>
-      <translation>In {folder} liegen Dateien mit diesen Namen und der Bericht von {other}. Dateien ersetzen und Bericht entfernen?</translation>
-    </message>
-    <message>
-      <source>{folder} holds the report of {other}. Replace it?</source>
-      <translation>In {folder} liegt der Bericht von {other}. Ersetzen?</translation>
     </message>
   </context>
   <context>
@@ -1293,6 +1197,10 @@
       <translation> oder </translation>
     </message>
     <message>
+      <source>'{0}' can't be read</source>
+      <translation>„{0}“ lässt sich nicht lesen</translation>
+    </message>
+    <message>
       <source>'{0}' is no direction</source>
       <translation>„{0}“ ist keine Richtung</translation>
     </message>
@@ -1355,6 +1263,10 @@
     <message>
       <source>FreeCAD can't make triangles of the surface</source>
       <translation>FreeCAD kann die Fläche nicht in Dreiecke zerlegen</translation>
+    </message>
+    <message>
+      <source>FreeCAD can't make triangles of {0}</source>
+      <translation>FreeCAD kann {0} nicht in Dreiecke zerlegen</translation>
     </message>
     <message>
       <source>FreeCAD can't read the file</source>
@@ -1429,36 +1341,24 @@
       <translation>ein Schnitt verläuft entlang keiner Kante der Zielfläche</translation>
     </message>
     <message>
-      <source>a face has a corner that is no number</source>
-      <translation>ein Dreieck hat eine Ecke, die keine Zahl ist</translation>
-    </message>
-    <message>
-      <source>a face has fewer corners than it says</source>
-      <translation>eine Fläche hat weniger Ecken, als sie angibt</translation>
-    </message>
-    <message>
-      <source>a face has the corner '{0}'</source>
-      <translation>eine Fläche hat die Ecke „{0}“</translation>
-    </message>
-    <message>
       <source>a face has {0} corners</source>
       <translation>eine Fläche hat {0} Ecken</translation>
-    </message>
-    <message>
-      <source>a face names a vertex that is not there</source>
-      <translation>eine Fläche nennt einen Punkt, den es nicht gibt</translation>
     </message>
     <message>
       <source>a face names a vertex that is not there ({0} are)</source>
       <translation>eine Fläche nennt einen Punkt, den es nicht gibt (es gibt {0})</translation>
     </message>
     <message>
-      <source>a face names the vertex {0}, which is not there</source>
-      <translation>eine Fläche nennt den Punkt {0}, den es nicht gibt</translation>
-    </message>
-    <message>
       <source>a face of the surface names a vertex that there is not</source>
       <translation>ein Dreieck der Fläche nennt einen Punkt, den es nicht gibt</translation>
+    </message>
+    <message>
+      <source>a facet can't be read, or the file ends early</source>
+      <translation>eine Facette lässt sich nicht lesen, oder die Datei endet zu früh</translation>
+    </message>
+    <message>
+      <source>a facet can't be read: {0}</source>
+      <translation>eine Facette lässt sich nicht lesen: {0}</translation>
     </message>
     <message>
       <source>a feature names a vertex that the surface does not have</source>
@@ -1569,10 +1469,6 @@
       <translation>eine Toleranz von {0} mm ist außerhalb des Bereichs</translation>
     </message>
     <message>
-      <source>a vertex does not have three numbers</source>
-      <translation>ein Punkt hat nicht drei Zahlen</translation>
-    </message>
-    <message>
       <source>a vertex is not finite</source>
       <translation>ein Punkt ist nicht endlich</translation>
     </message>
@@ -1649,10 +1545,6 @@
       <translation>Kacheln, die weit entfernt liegen, zu den anderen zurückbringen</translation>
     </message>
     <message>
-      <source>broken 3MF model: {0}</source>
-      <translation>fehlerhaftes 3MF-Modell: {0}</translation>
-    </message>
-    <message>
       <source>building bodies</source>
       <translation>Körper bauen</translation>
     </message>
@@ -1701,10 +1593,6 @@
       <translation>mit der Hand kommt es nicht in seine Form: gerüttelt ({taps} Stöße), mit {pressed} Kacheln an ihre Plätze gedrückt, {force:g N} je Kachel, wieder gerüttelt und losgelassen fehlen ihm {shortfall:.3g mm} zu seiner Form, und {open} von {count} Kontakten bleiben offen</translation>
     </message>
     <message>
-      <source>can't write {0}: it is a device, and a rename would replace it</source>
-      <translation>{0} lässt sich nicht schreiben: es ist ein Gerät, das beim Umbenennen ersetzt würde</translation>
-    </message>
-    <message>
       <source>can't write {0}: {1}</source>
       <translation>{0} lässt sich nicht schreiben: {1}</translation>
     </message>
@@ -1723,10 +1611,6 @@
     <message>
       <source>check its name and permissions</source>
       <translation>Name und Rechte überprüfen</translation>
-    </message>
-    <message>
-      <source>check that the disk has room</source>
-      <translation>überprüfen, ob der Datenträger Platz hat</translation>
     </message>
     <message>
       <source>check that the folder exists, is writable and that the disk has room</source>
@@ -1953,14 +1837,6 @@
       <translation>edges ist keine Liste von Paaren von Punktnummern</translation>
     </message>
     <message>
-      <source>export in millimetres</source>
-      <translation>in Millimetern exportieren</translation>
-    </message>
-    <message>
-      <source>export it again</source>
-      <translation>sie erneut exportieren</translation>
-    </message>
-    <message>
       <source>export it again, as a surface of triangles</source>
       <translation>sie erneut exportieren, als Fläche aus Dreiecken</translation>
     </message>
@@ -2003,10 +1879,6 @@
     <message>
       <source>face {0} uses a vertex twice</source>
       <translation>Dreieck {0} verwendet einen Punkt zweimal</translation>
-    </message>
-    <message>
-      <source>faces name vertices by what is no whole number</source>
-      <translation>Flächen nennen Punkte mit etwas, das keine ganze Zahl ist</translation>
     </message>
     <message>
       <source>faces turned over</source>
@@ -2203,10 +2075,6 @@
     <message>
       <source>give it in mm, or 0</source>
       <translation>in mm angeben, oder 0</translation>
-    </message>
-    <message>
-      <source>give it in plain letters</source>
-      <translation>in einfachen Buchstaben angeben</translation>
     </message>
     <message>
       <source>give its corners counter-clockwise, in mm</source>
@@ -2643,10 +2511,6 @@
     <message>
       <source>move the surface to the origin, or check its unit (scale)</source>
       <translation>die Fläche zum Ursprung verschieben oder ihre Einheit überprüfen (scale)</translation>
-    </message>
-    <message>
-      <source>name a file</source>
-      <translation>eine Datei nennen</translation>
     </message>
     <message>
       <source>name another folder with -o</source>
@@ -3105,10 +2969,6 @@
       <translation>siehe FreeCADs Ausgabefenster</translation>
     </message>
     <message>
-      <source>send it elsewhere</source>
-      <translation>sie anderswohin leiten</translation>
-    </message>
-    <message>
       <source>separate faces that touch in one vertex only</source>
       <translation>Dreiecke trennen, die sich nur in einem Punkt berühren</translation>
     </message>
@@ -3257,16 +3117,8 @@
       <translation>Punktnummern aus dem nehmen, was „curveups remesh“ schreibt</translation>
     </message>
     <message>
-      <source>the 3MF model is too large</source>
-      <translation>das 3MF-Modell ist zu groß</translation>
-    </message>
-    <message>
       <source>the 3MF would have more than 4 GB, which slicers do not read</source>
       <translation>das 3MF hätte mehr als 4 GB, was Slicer nicht lesen</translation>
-    </message>
-    <message>
-      <source>the answer can't be written: {0}</source>
-      <translation>die Antwort lässt sich nicht schreiben: {0}</translation>
     </message>
     <message>
       <source>the boundary touches itself in single vertices (vertices {vertices:#5})</source>
@@ -3325,10 +3177,6 @@
       <translation>{0} des Dokuments lässt sich nicht berechnen</translation>
     </message>
     <message>
-      <source>the facet that begins here can't be read</source>
-      <translation>die Facette, die hier beginnt, lässt sich nicht lesen</translation>
-    </message>
-    <message>
       <source>the file can't be read: {0}</source>
       <translation>die Datei lässt sich nicht lesen: {0}</translation>
     </message>
@@ -3341,16 +3189,8 @@
       <translation>die Datei endet zu früh</translation>
     </message>
     <message>
-      <source>the file ends early, or a facet can't be read</source>
-      <translation>die Datei endet zu früh, oder eine Facette lässt sich nicht lesen</translation>
-    </message>
-    <message>
-      <source>the file ends early: there is no endsolid</source>
-      <translation>die Datei endet zu früh: endsolid fehlt</translation>
-    </message>
-    <message>
-      <source>the file ends early: {0} facets are announced</source>
-      <translation>die Datei endet zu früh: {0} Facetten sind angekündigt</translation>
+      <source>the file ends early, or is none of its format</source>
+      <translation>die Datei endet zu früh oder hat ein anderes Format</translation>
     </message>
     <message>
       <source>the file holds no faces</source>
@@ -3361,32 +3201,8 @@
       <translation>die Datei enthält keine Oberfläche</translation>
     </message>
     <message>
-      <source>the file is damaged: edges and faces of it are {0} mm apart</source>
-      <translation>die Datei ist beschädigt: Kanten und Flächen darin liegen {0} mm auseinander</translation>
-    </message>
-    <message>
-      <source>the file is damaged: it has lost {0} of its entities (#{1})</source>
-      <translation>die Datei ist beschädigt: ihr fehlen {0} Einträge (#{1})</translation>
-    </message>
-    <message>
-      <source>the file is damaged: it holds less than it announces</source>
-      <translation>die Datei ist beschädigt: sie enthält weniger, als sie ankündigt</translation>
-    </message>
-    <message>
-      <source>the file is damaged: lines of it are missing</source>
-      <translation>die Datei ist beschädigt: Zeilen fehlen</translation>
-    </message>
-    <message>
-      <source>the file is empty</source>
-      <translation>die Datei ist leer</translation>
-    </message>
-    <message>
-      <source>the file is too large</source>
-      <translation>die Datei ist zu groß</translation>
-    </message>
-    <message>
-      <source>the file needs more memory than there is</source>
-      <translation>die Datei braucht mehr Speicher, als da ist</translation>
+      <source>the file is damaged: FreeCAD's reader crashed</source>
+      <translation>die Datei ist beschädigt: beim Lesen stürzte FreeCAD ab</translation>
     </message>
     <message>
       <source>the flat map scales it by {stretch:.2f}; it can do with {low:.2f} to {high:.2f}: cuts would even that out</source>
@@ -3477,6 +3293,10 @@
       <translation>bei {contacts:8} liegt die kleinste Kraft um weniger als ihren Fehler über f_min = {f_min:.3g N}: ein kleineres mesh_size zeigt, auf welcher Seite sie liegt</translation>
     </message>
     <message>
+      <source>the line can't be read</source>
+      <translation>die Zeile lässt sich nicht lesen</translation>
+    </message>
+    <message>
       <source>the list of cuts has an odd number of vertices</source>
       <translation>die Liste der Schnitte hat eine ungerade Anzahl von Punkten</translation>
     </message>
@@ -3539,10 +3359,6 @@
     <message>
       <source>the native module is of version {0}, not {1}</source>
       <translation>das native Modul hat Version {0}, nicht {1}</translation>
-    </message>
-    <message>
-      <source>the numbers of vertices and faces are missing</source>
-      <translation>die Anzahlen von Punkten und Flächen fehlen</translation>
     </message>
     <message>
       <source>the object that gave the target was deleted: choose another with Target</source>
@@ -3877,16 +3693,16 @@
       <translation>das ist keine OFF-Datei</translation>
     </message>
     <message>
-      <source>this is no STL file</source>
-      <translation>das ist keine STL-Datei</translation>
+      <source>this is no STL file, or it ends early</source>
+      <translation>das ist keine STL-Datei, oder sie endet zu früh</translation>
     </message>
     <message>
       <source>this is no readable 3MF file: {0}</source>
       <translation>das ist keine lesbare 3MF-Datei: {0}</translation>
     </message>
     <message>
-      <source>this is no readable PLY file: {0}</source>
-      <translation>das ist keine lesbare PLY-Datei: {0}</translation>
+      <source>this is no readable PLY file, or it ends early: {0}</source>
+      <translation>das ist keine lesbare PLY-Datei, oder sie endet zu früh: {0}</translation>
     </message>
     <message>
       <source>through the weak contact {contact}</source>
@@ -3967,10 +3783,6 @@
     <message>
       <source>unknown parameter '{0}'</source>
       <translation>unbekannter Parameter „{0}“</translation>
-    </message>
-    <message>
-      <source>unknown unit '{0}'</source>
-      <translation>unbekannte Einheit „{0}“</translation>
     </message>
     <message>
       <source>use a coarser mesh</source>
@@ -4115,10 +3927,6 @@
     <message>
       <source>{0} is named twice</source>
       <translation>{0} ist zweimal genannt</translation>
-    </message>
-    <message>
-      <source>{0} is no UTF-8 text</source>
-      <translation>{0} ist kein UTF-8-Text</translation>
     </message>
     <message>
       <source>{0} points can't be laid onto a surface</source>

@@ -45,7 +45,6 @@ OPTIONAL = {
                   "shortfall_mm": NUMBER, "tolerance_mm": NUMBER, "contacts": COUNT, "open_contacts": list,
                   "wedged": list, "energy_n_mm": NUMBER, "reach_friction": None, "trap": None,
                   "from_target": dict},
-    "unchecked_files": dict,
     "print": {"bbox_mm": list, "bodies": COUNT, "tile_volume_cm3": NUMBER,
               "support_volume_cm3": NUMBER, "anchor_volume_cm3": NUMBER,
               "smallest_feature_mm": NUMBER, "overhang_mm": NUMBER, "files": dict,

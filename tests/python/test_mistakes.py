@@ -1,13 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Ordinary mistakes and failures halfway: the exit status says what is the matter, in one line, and
-nothing of the user's is lost."""
+"""Ordinary mistakes and failures halfway: the exit status and one line say what is the matter."""
 
 import json
-import os
 import threading
-import zipfile
-from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -18,10 +13,9 @@ from curveups.features.document_file import write_document
 from curveups.report import files
 from curveups.targets import cad_files
 from curveups.cli import main
-from curveups.base.errors import NOT_WRITTEN, CurveUpsError
+from curveups.base.errors import CurveUpsError
 from curveups.base.findings import Finding
 from curveups.base.native import native
-from curveups.base.output import Folder, safe_name
 from curveups.project.project import Project
 from curveups.stages import anchoring, solids, suggestions, surface, verification
 from curveups.stages.cut_request import CutRequest
@@ -32,11 +26,6 @@ from curveups.stages.surface import find_source
 from curveups.project.verdict import Verdict, judge
 
 BIG = "9" * 400
-MODEL = ('<?xml version="1.0" encoding="%s"?><model unit="millimeter" xmlns='
-         '"http://schemas.microsoft.com/3dmanufacturing/core/2015/02"><resources><object id="1"><mesh>'
-         '<vertices><vertex x="0" y="0" z="0"/><vertex x="9" y="0" z="0"/><vertex x="0" y="9" z="0"/>'
-         '</vertices><triangles><triangle v1="0" v2="1" v3="%s"/></triangles></mesh></object>'
-         '</resources><build><item objectid="1"/></build></model>')
 
 
 def one_line(capsys):
@@ -44,94 +33,6 @@ def one_line(capsys):
              if line.startswith("curveups: error: ") or "Traceback" in line]
     assert len(lines) == 1 and lines[0].startswith("curveups: error: "), lines
     return lines[0]
-
-
-def test_a_designs_name_is_no_path(curveups, designed, tmp_path):
-    """A name with a slash neither leaves the folder nor removes what bears its end."""
-    design = designed.json("design.json")
-    design["name"] = "../x/turtle"
-    (tmp_path / "design.json").write_text(json.dumps(design))
-    out = tmp_path / "out"
-    out.mkdir()
-    mine = [out / "turtle-tiles.step", out / "turtle-tiles.step.old", tmp_path / "turtle.FCStd"]
-    for path in mine:
-        path.write_text("mine")
-    # A program of its own: FreeCAD, which writes the document, would change this one's locale.
-    assert curveups("export", tmp_path / "design.json", "-o", out).status == 0
-    assert all(path.read_text("utf-8") == "mine" for path in mine)
-    assert (out / "x-turtle-tiles.step").stat().st_size > 1000
-    assert json.loads((out / "design.json").read_bytes())["name"] == "../x/turtle"  # titles have it as it is
-    assert sorted(p.name for p in tmp_path.iterdir()) == ["design.json", "out", "turtle.FCStd"]
-
-
-def test_cleaning_up_touches_nothing_else(tmp_path):
-    (tmp_path / "a.step").write_text("mine")
-    folder = Folder(tmp_path)
-
-    def fail(path):
-        path.write_text("half")
-        Path(f"{path}.beside").write_text("half")
-        raise OSError(28, "No space left on device")
-
-    for name in ("a.step", "x/a.step", "../a.step", ""):
-        with pytest.raises(CurveUpsError):
-            folder.write(name, fail)
-    assert [(p.name, p.read_text("utf-8")) for p in tmp_path.iterdir()] == [("a.step", "mine")]
-    assert safe_name("../../etc/passwd") == "etc-passwd" and safe_name("...") == "target"
-    assert len(safe_name("x" * 300)) < 200
-
-
-@pytest.mark.parametrize("failure, word", [
-    (CurveUpsError("the document's Tiles can't be computed", "cap", "see the report view"), "Tiles"),
-    (MemoryError(), "memory"), (RuntimeError("Standard_Failure"), "Standard_Failure"),
-    (ValueError("odd"), "odd"), (OSError(28, "No space left on device"), "No space")])
-def test_a_failure_between_files_names_those_that_are_complete(tmp_path, failure, word):
-    folder = Folder(tmp_path)
-    folder.write_text("design.json", "{}")
-
-    def fail(path):
-        path.write_text("half")
-        raise failure
-
-    with pytest.raises(CurveUpsError) as caught:
-        folder.write("cap.FCStd", fail)
-    assert caught.value.status == NOT_WRITTEN
-    assert word in str(caught.value) and "complete are design.json" in str(caught.value)
-    assert [p.name for p in tmp_path.iterdir()] == ["design.json"]
-
-
-def test_a_stop_between_files_stays_a_stop(tmp_path):
-    def stop(path):
-        raise native.Cancelled("stopped")
-
-    with pytest.raises(native.Cancelled):
-        Folder(tmp_path).write("cap.FCStd", stop)
-
-
-def test_an_output_folder_that_may_not_be_looked_at(cap, capsys, monkeypatch, tmp_path):
-    exists = Path.exists
-
-    def guarded(path):
-        if "locked" in path.parts[:-1]:
-            raise PermissionError(13, "Permission denied", str(path))
-        return exists(path)
-
-    monkeypatch.setattr(Path, "exists", guarded)
-    place = tmp_path / "locked" / "out"
-    assert main(["design", str(cap), "-o", str(place), "--no-remesh", "--no-solids"]) == NOT_WRITTEN
-    assert "Permission denied" in one_line(capsys)
-    with pytest.raises(CurveUpsError) as caught:
-        Folder(place)
-    assert caught.value.status == NOT_WRITTEN
-
-
-def test_names_too_long(cap, capsys, tmp_path):
-    long = tmp_path / ("x" * 300)
-    assert main(["design", str(cap), "-o", str(long)]) == NOT_WRITTEN
-    assert "too long" in one_line(capsys)
-    assert main(["design", f"{long}.obj", "-o", str(tmp_path / "out")]) == 2
-    assert "too long" in one_line(capsys)
-    assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.parametrize("option, text, word", [
@@ -144,28 +45,6 @@ def test_numbers_beyond_all_bounds(cap, capsys, tmp_path, option, text, word):
     line = one_line(capsys)
     assert word in line and "given.json" in line
     assert not (tmp_path / "out").exists()
-
-
-@pytest.mark.parametrize("encoding, index", [("utf-8", 10**30), ("foo", 2), ("utf-7", 2),
-                                             ("shift_jis", 2)])
-def test_odd_3mf(capsys, tmp_path, encoding, index):
-    target = tmp_path / "odd.3mf"
-    with zipfile.ZipFile(target, "w") as archive:
-        archive.writestr("3D/3dmodel.model", MODEL % (encoding, index))
-    assert main(["design", str(target), "-o", str(tmp_path / "out")]) == 2
-    assert "odd.3mf" in one_line(capsys)
-
-
-def test_a_surface_that_freecad_cannot_mesh(monkeypatch):
-    shape = SimpleNamespace(Faces=[1], BoundBox=SimpleNamespace(DiagonalLength=9.0))
-
-    def refuse(**_):
-        raise RuntimeError("Meshing failed")
-
-    monkeypatch.setattr(cad_files.freecad_session, "load",
-                        lambda _: (None, SimpleNamespace(meshFromShape=refuse)))
-    with pytest.raises(CurveUpsError, match="triangles.*a.step"):
-        cad_files.triangles_of_shape(shape, 0.1, "a.step")
 
 
 def test_what_nobody_thought_of_is_not_called_invalid(capsys, monkeypatch):
@@ -227,8 +106,7 @@ def test_a_verification_that_breaks_down_keeps_the_layout(project_of_cap, monkey
     results = project_of_cap().run(GOALS)
     assert results.verdict.valid is False and not results.stopped
     assert any("could not be verified" in r and "memory" in r for r in map(str, results.verdict.reasons))
-    with files.Writing(tmp_path / "out", Job(), write_document) as writing:
-        writing.end(results)
+    files.write_files(results, tmp_path / "out", Job(), write_document)
     assert json.loads((tmp_path / "out" / "report.json").read_text("utf-8"))["valid"] is False
     assert native.read_design((tmp_path / "out" / "design.json").read_text("utf-8")).name == "cap"
 
@@ -356,18 +234,6 @@ def test_scaled_targets_are_divided_as_finely_as_their_tiles_ask(monkeypatch, tm
         assert given[-1] * scale == pytest.approx(0.004)
     faces = [len(read("half-sphere", scale).F) for scale in (1, 20, 1e6, 1e-6)]
     assert faces[0] < faces[1] <= faces[2] and faces[3] < faces[0]
-
-
-def test_a_report_is_built_once_and_lists_the_page(project_of_cap, monkeypatch, tmp_path):
-    results = project_of_cap(verify=False).run(("figures", "solids", "check"))
-    calls, build = [], files.build_report
-    monkeypatch.setattr(files, "build_report", lambda *a: calls.append(1) or build(*a))
-    folder = Folder(tmp_path / "out")
-    files.write_reports(results, folder)
-    report = json.loads((tmp_path / "out" / "report.json").read_text("utf-8"))
-    assert len(calls) == 1
-    assert report["print"]["files"] == {
-        "report.html": os.path.getsize(tmp_path / "out" / "report.html")}
 
 
 def test_commands_run_in_any_thread(tmp_path, capfd):

@@ -2,8 +2,6 @@
 """Every long native call says how it gets on, and ends when it is told to: with the best so far where
 there is one, else with Cancelled; what the sink raises comes out."""
 
-import os
-
 import numpy as np
 import pytest
 from running import dome
@@ -112,29 +110,3 @@ def test_what_the_sink_raises_comes_out(design):
     for work in (native.verify_design, native.make_print_model):
         with pytest.raises(ZeroDivisionError):
             work(design, progress=fail)
-
-
-@pytest.mark.parametrize("answer, goes_on", [(None, True), ("on", True), ("", False), ([], False)])
-def test_a_sink_answers_as_python_counts_truth(design, answer, goes_on):
-    def solve():
-        return native.make_print_model(design, lambda *_: answer)
-
-    if goes_on:
-        assert solve().tile_count == len(design.F)
-    else:
-        with pytest.raises(native.Cancelled):
-            solve()
-
-
-def test_a_sink_whose_answer_has_no_truth_is_heard_of(design):
-    with pytest.raises(ValueError, match="truth value"):
-        native.make_print_model(design, lambda *_: np.zeros(2))
-
-
-def test_print_files_replace_files_alone(design, tmp_path):
-    model = native.make_print_model(design)
-    pipe = tmp_path / "pipe.stl"
-    os.mkfifo(pipe)
-    with pytest.raises(native.IoError, match="pipe.stl"):
-        model.write("stl", "tiles", str(pipe))
-    assert pipe.is_fifo() and list(tmp_path.iterdir()) == [pipe]

@@ -55,7 +55,7 @@ def test_errors_of_both_languages_are_found():
     """With places for what is known only then."""
     found = {text for _, text in translations.texts_of_errors()}
     assert {"p_min ({0} mm) is larger than p_max ({1} mm)", "lower p_min or raise p_max",
-            "the file ends early: {0} facets are announced", 'there is no built-in target "{0}"',
+            "a facet can't be read: {0}", 'there is no built-in target "{0}"',
             "{0} follows an expression", "give {0} to {1}"} <= found
     assert not [text for text in found if '"' in text.replace('"{0}"', "") or "std::" in text]
 

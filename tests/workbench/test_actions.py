@@ -9,7 +9,6 @@ import pytest
 from curveups.base.errors import CurveUpsError
 from curveups.base.native import native
 from curveups.features import actions, document, properties
-from curveups.report.exports import other_report
 
 pytestmark = pytest.mark.freecad
 
@@ -50,8 +49,7 @@ def test_from_a_part_to_files(made, tmp_path):
     expected = {f"My-Cap_{body}.{ending}" for body, ending in (
         ("tiles", "step"), ("support", "step"), ("anchors", "step"), ("print", "step"), ("actuated", "step"),
         ("tiles", "stl"), ("support", "stl"), ("anchors", "stl"), ("print", "3mf"))}
-    expected |= {"My-Cap-design.json", "My-Cap-report.html", "My-Cap-report.json", "report.html",
-                 "report.json"}
+    expected |= {"design.json", "report.html", "report.json"}
     assert set(files) == expected == set(os.listdir(folder)), set(files) ^ expected
     page = actions.report(design, folder + "-report")
     assert "Valid" in open(page, encoding="utf-8").read()
@@ -61,17 +59,6 @@ def test_from_a_part_to_files(made, tmp_path):
     assert full["valid"] is True and full["deviation"]["mean_mm"] < 0.5 and full["layout"]["converged"]
     step = (tmp_path / "out" / "My-Cap_print.step").read_text("utf-8")
     assert "'T00001'" in step and "COLOUR_RGB" in step and "NOT VALID" not in step
-    # Another design's files in the same folder: report.json is the latest, and each keeps its own.
-    own = {name: (tmp_path / "out" / name).read_bytes() for name in expected}
-    assert own["My-Cap-report.json"] == own["report.json"]
-    assert other_report(tmp_path / "out", "My Cap") == "" and other_report(tmp_path, "My Cap") == ""
-    design.Label = "Another"
-    assert other_report(tmp_path / "out", "Another") == "My-Cap"
-    files = actions.export(design, folder, [("print", "3mf")])
-    assert json.loads((tmp_path / "out" / "report.json").read_text("utf-8"))["name"] == "Another"
-    assert "Another-report.json" in files and all(
-        (tmp_path / "out" / name).read_bytes() == own[name] for name in expected
-        if name not in ("report.json", "report.html"))
 
 
 def test_verify_and_repair_start_from_the_layout_as_it_stands(made):

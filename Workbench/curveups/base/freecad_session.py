@@ -12,22 +12,14 @@ from pathlib import Path
 from typing import Any, Iterator
 
 from .errors import CurveUpsError
-from .machine import require_memory
-
 _DEBIAN = "/usr/lib/freecad-python3/lib"
-# MB: what FreeCAD and its modules take as they are loaded, and what their work needs. Qt waits for ever for a
-# thread that can't begin for want of memory, and Mesh starts one a processor.
-_LOADING, _WORKING = 160, 64 + 16 * (os.cpu_count() or 1)
 
 
 def load(*modules: str) -> Any:
     """Imports FreeCAD and the named modules of it; returns FreeCAD, or a tuple with all of them.
 
-    Takes 0.2 to 0.6 s outside of FreeCAD, so only what needs it calls this. Raises CurveUpsError, and
-    MemoryError where there is too little for what FreeCAD does next.
+    Takes 0.2 to 0.6 s outside of FreeCAD, so only what needs it calls this. Raises CurveUpsError.
     """
-    if not {"FreeCAD", *modules} <= sys.modules.keys():
-        require_memory(_LOADING)
     # The last resort is where Debian has it; tools/setup asks freecadcmd and says it here.
     for folder in (None, os.environ.get("CURVEUPS_FREECAD_LIB"), _DEBIAN):
         if folder and folder not in sys.path:
@@ -38,7 +30,6 @@ def load(*modules: str) -> Any:
         except ImportError as error:
             reason = error
             continue
-        require_memory(_WORKING)
         return loaded[0] if not modules else tuple(loaded)
     raise CurveUpsError(f"FreeCAD can't be loaded: {reason}", sys.executable,
                         "install FreeCAD, then run tools/setup again")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Progress on standard error, and stopping by signals.
+"""Progress on standard error, and stopping by SIGINT.
 
 A `Progress` is what jobs and native calls take: called with what is being done and how much of
 it (0 to 1, negative where unknown), it answers whether to go on.
@@ -11,60 +11,31 @@ import signal
 import sys
 import threading
 import time
-from contextlib import contextmanager
-from types import FrameType
-from typing import Any, Callable, Iterator, Optional
+from typing import Any, Callable
 
 Progress = Callable[[str, float], bool]
 
 
-STOPPING = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
-
-
 class Interrupt:
-    """Turns SIGINT, SIGTERM and SIGHUP into a flag while it is entered. A second one ends the program at
-    once, but not while files are being written (`shielded`) or a module is loaded: extensions make an
-    ImportError of what interrupts them."""
+    """Turns SIGINT into a flag while it is entered; a second one ends the program at once."""
 
     def __init__(self) -> None:
         self.requested = False
-        self._shields = 0
-        self._before: dict[int, Any] = {}
+        self._before: Any = None
 
     def __enter__(self) -> "Interrupt":
-        if threading.current_thread() is not threading.main_thread():
-            return self  # no other thread gets signals
-        for number in STOPPING:
-            if number == signal.SIGINT or signal.getsignal(number) is not signal.SIG_IGN:  # nohup ignores
-                self._before[number] = signal.signal(number, self._handle)
+        if threading.current_thread() is threading.main_thread():  # no other thread gets signals
+            self._before = signal.signal(signal.SIGINT, self._handle)
         return self
 
-    def _handle(self, _: int, frame: Optional[FrameType]) -> None:
-        if self.requested and not self._shields and not _loading(frame):
+    def _handle(self, *_: Any) -> None:
+        if self.requested:
             raise KeyboardInterrupt
         self.requested = True
 
-    @contextmanager
-    def shielded(self) -> Iterator[None]:
-        """What stops in good time by itself, and must not be cut off."""
-        self._shields += 1
-        try:
-            yield
-        finally:
-            self._shields -= 1
-
     def __exit__(self, *_: Any) -> None:
-        for number, before in self._before.items():
-            signal.signal(number, before or signal.SIG_DFL)
-
-
-def _loading(frame: Optional[FrameType]) -> bool:
-    """Whether a module is being loaded where the program stands."""
-    while frame is not None:
-        if frame.f_code.co_filename.startswith("<frozen importlib"):
-            return True
-        frame = frame.f_back
-    return False
+        if self._before is not None:
+            signal.signal(signal.SIGINT, self._before)
 
 
 class Reporter:
@@ -122,8 +93,5 @@ class Reporter:
         self._write(f"\r\033[K{bar} {what}"[:110])
 
     def _write(self, text: str) -> None:
-        try:
-            self._stream.write(text)
-            self._stream.flush()
-        except (OSError, ValueError):  # closed or full: work goes on in silence
-            self._quiet, self._open = True, False
+        self._stream.write(text)
+        self._stream.flush()

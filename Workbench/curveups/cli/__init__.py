@@ -4,26 +4,21 @@
 from __future__ import annotations
 
 import argparse
-import errno
-import io
 import os
 import re
 import sys
 import traceback
 from pathlib import Path
-from typing import Any, Callable, NoReturn, Optional, Sequence, TextIO
+from typing import Any, Callable, NoReturn, Optional, Sequence
 
 from .. import __version__
 from ..base.errors import BAD_INPUT, NOT_WRITTEN, STOPPED, CurveUpsError, Stopped
-from ..base.machine import claim_memory_of_blas
-from ..base.output import Folder, is_text
 from ..base.profiles import profile_names
 from ..base.progress import Interrupt, Reporter
 from ..base.releases import CUT, RELEASES
 
 _EPILOG = """exit status: 0 valid, or verification was off; 1 finished, but not valid; 2 bad input or usage,
 nothing written; 3 stopped, the best so far was written; 4 a file could not be written"""
-_NO_MEMORY = "there is not enough memory (this machine): use larger tiles or a smaller target"
 
 
 class _Parser(argparse.ArgumentParser):
@@ -129,11 +124,8 @@ def _number_of(what: str, least: int, most: int) -> Callable[[str], int]:
 
 
 def _folder(text: str) -> Path:
-    """A path that libraries can be told, too."""
     if not text:
         raise argparse.ArgumentTypeError("the folder has no name")
-    if not is_text(text):
-        raise argparse.ArgumentTypeError(f"the folder's name {text!a} is no UTF-8 text")
     return Path(text)
 
 
@@ -191,80 +183,43 @@ def _one_setting_each(arguments: Sequence[str]) -> list[str]:
     return found
 
 
-class _CleanOutput:
-    """Standard output for this program alone: libraries that print there (OpenCASCADE does, from
-    C) write to nothing while it is entered."""
-
-    def __enter__(self) -> TextIO:
-        self._open = sys.stdout is not None
-        if self._open:
-            sys.stdout.flush()
-            self._kept = os.dup(1)
-            nothing = os.open(os.devnull, os.O_WRONLY)
-            os.dup2(nothing, 1)
-            os.close(nothing)
-        else:  # whoever closed it gets an error for writing to it, as on a full disk
-            self._kept = os.open(os.devnull, os.O_RDONLY)
-        # Unbuffered, so that what can't be written is known at once and only once.
-        return io.TextIOWrapper(os.fdopen(os.dup(self._kept), "wb", 0), encoding="utf-8",
-                                write_through=True)
-
-    def __exit__(self, *_: Any) -> None:
-        if self._open:
-            os.dup2(self._kept, 1)
-        os.close(self._kept)
-
-
 def run(arguments: Optional[list[str]]) -> int:
-    """Runs one command and returns its exit status; raises CurveUpsError."""
+    """Run one command and return its exit status. Raises CurveUpsError."""
     options = make_parser().parse_args(_one_setting_each(sys.argv[1:] if arguments is None else arguments))
-    with Interrupt() as interrupt, _CleanOutput() as output:
+    with Interrupt() as interrupt:
         reporter = Reporter(interrupt, getattr(options, "quiet", False))
         try:
             # Loaded only now, so that --help works where the native module is broken.
-            claim_memory_of_blas()
             from . import commands
 
-            with output:
-                session = commands.Session(reporter, output, interrupt)
-                return commands.COMMANDS[options.command](options, session)
+            return commands.COMMANDS[options.command](options, commands.Session(reporter))
         finally:
             reporter.close()
 
 
 def main(arguments: Optional[list[str]] = None) -> int:
     """The program; every outcome is an exit status."""
-    before = Folder.written
     try:
         return run(arguments)
     except CurveUpsError as error:
         _tell(str(error))
         return error.status
     except (Stopped, KeyboardInterrupt):
-        _print("curveups: stopped")
+        print("curveups: stopped", file=sys.stderr)
         return STOPPED
     except BrokenPipeError:
         return NOT_WRITTEN
+    except MemoryError:
+        _tell("there is not enough memory (this machine): use larger tiles or a smaller target")
     except Exception as error:  # otherwise Python would end with status 1, which means "not valid"
-        if (isinstance(error, MemoryError) or getattr(error, "errno", None) == errno.ENOMEM
-                or str(error) == "can't start new thread"):
-            _tell(_NO_MEMORY)
-        else:
-            text = " ".join(str(error).split())
-            _tell(f"unexpected {type(error).__name__}{f' ({text})' if text else ''}: please report it, with "
-                  "what CURVEUPS_DEBUG=1 shows")
-        return BAD_INPUT if Folder.written == before else NOT_WRITTEN  # 2 says that nothing was written
+        text = " ".join(str(error).split())
+        _tell(f"unexpected {type(error).__name__}{f' ({text})' if text else ''}: please report it, with "
+              "what CURVEUPS_DEBUG=1 shows")
+    return BAD_INPUT
 
 
 def _tell(text: str) -> None:
-    """An error's one line; behind its traceback where CURVEUPS_DEBUG=1 asks for that."""
+    """Print an error's one line, behind its traceback where CURVEUPS_DEBUG=1 asks for that."""
     if os.environ.get("CURVEUPS_DEBUG") == "1":
-        _print(traceback.format_exc())
-    _print(f"curveups: error: {text}")
-
-
-def _print(text: str) -> None:
-    try:
-        print(text, file=sys.stderr, flush=True)
-    except (OSError, ValueError):  # closed or full: the exit status tells
-        pass
+        traceback.print_exc()
+    print(f"curveups: error: {text}", file=sys.stderr)

@@ -5,18 +5,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Iterator, Sequence, TextIO
+from typing import Any, Iterator, Sequence
 
-from ..base.errors import NOT_VALID, NOT_WRITTEN, STOPPED, VALID, CurveUpsError, Stopped, named_tiles, \
+from ..base.errors import NOT_VALID, STOPPED, VALID, CurveUpsError, Stopped, named_tiles, \
     tile_name
 from ..base.findings import Finding, first_of_each_kind
 from ..base.language import Language
 from ..base.native import native, translated
-from ..base.output import Folder, is_text, plain_name, require_folder_name, safe_name
+from ..base.output import Folder, plain_name, require_folder_name, safe_name
 from ..base.parameters import parameter, table, with_values
 from ..base.profiles import MATERIALS, NOTES, of_material, profile_path
-from ..base.progress import Interrupt, Reporter
-from ..base.reading import read_text
+from ..base.progress import Reporter
 from ..features.document_file import write_document
 from ..kit import compare as comparing, files as kit_files
 from ..kit.former import Former, former_stl
@@ -26,7 +25,7 @@ from ..project.size_choice import AUTOMATIC, choose
 from ..report import actuation
 from ..report import check as check_report
 from ..report.exports import write_spares
-from ..report.files import Writing, write_check, write_obj, write_verification
+from ..report.files import write_check, write_files, write_obj, write_verification
 from ..stages import HELP, RISEN, START, asked_by
 from ..stages.actuation import tiles_digest
 from ..stages.cut_request import CutRequest, read_cuts, read_json_object
@@ -39,11 +38,9 @@ MOST_FORCE = 1e6  # N: of a hand; far more than one has, far less than numbers b
 
 @dataclass
 class Session:
-    """What commands share: where progress goes and what may stop them, where answers are printed."""
+    """What commands share: where progress goes, which may also stop them."""
 
     reporter: Reporter
-    output: TextIO
-    interrupt: Interrupt
 
     @property
     def job(self) -> Job:
@@ -51,13 +48,7 @@ class Session:
 
     def answer(self, line: str) -> None:
         """A line on standard output."""
-        try:
-            print(line, file=self.output, flush=True)
-        except BrokenPipeError:  # whoever reads has seen enough
-            raise
-        except OSError as error:
-            raise CurveUpsError(f"the answer can't be written: {error.strerror}", "standard output",
-                                "send it elsewhere", NOT_WRITTEN) from None
+        print(line, flush=True)
 
 
 def design(options: Any, session: Session) -> int:
@@ -69,11 +60,9 @@ def design(options: Any, session: Session) -> int:
     job = session.job
     if cuts.suggested:
         project.give("cut request", cuts.accept(project.run(("cut search",), job)["cut search"]))
-    # Files of solids are written while the tiles settle.
     goals = (*asked_by("solve"), *asked_by("settle", *(() if options.no_solids else ("print",))))
-    with Writing(options.output, job, write_document, session.interrupt.shielded) as writing:
-        results = project.run(goals, job, watch=writing.watch, expect=writing.expect)
-        stopped = writing.end(results)
+    results = project.run(goals, job)
+    stopped = write_files(results, options.output, job, write_document)
     return _finish(results, options.output, session, stopped)
 
 
@@ -93,8 +82,7 @@ def check(options: Any, session: Session) -> int:
     for finding in check_report.advice(results):
         session.answer(str(finding))
     if options.output:
-        with session.interrupt.shielded():
-            write_check(results, options.output)
+        write_check(results, options.output)
     if results.stopped:
         return STOPPED
     return VALID if results["feasibility"].feasible else NOT_VALID
@@ -140,8 +128,7 @@ def verify(options: Any, session: Session) -> int:
     project.parameters = with_values(project.parameters, {"run_verification": True})
     results = project.run(asked_by("verify"), session.job, strict=True)
     if options.output:
-        with session.interrupt.shielded():
-            write_verification(results, design, options.output)
+        write_verification(results, design, options.output)
     return _finish(results, options.output, session, results.stopped)
 
 
@@ -155,10 +142,8 @@ def export(options: Any, session: Session) -> int:
         session.reporter.say(f"written: {', '.join(spares)}")
         return VALID
     note = Finding("unverified.changed" if rebuilt else "unverified.export")
-    with Writing(options.output, job, write_document, session.interrupt.shielded) as writing:
-        results = project.run(asked_by("print"), job, strict=True, note=note, watch=writing.watch,
-                              expect=writing.expect)
-        stopped = writing.end(results)
+    results = project.run(asked_by("print"), job, strict=True, note=note)
+    stopped = write_files(results, options.output, job, write_document)
     return _finish(results, options.output, session, stopped)
 
 
@@ -170,9 +155,8 @@ def kit(options: Any, session: Session) -> int:
     job = session.job
     results = kit_files.make(project, job)
     if results["check"].print_block:
-        with session.interrupt.shielded():
-            risen = actuation.read_answer(options.design.parent, results.design, results.parameters)
-            stopped = kit_files.write_kit(results, options.output, job, order, risen)
+        risen = actuation.read_answer(options.design.parent, results.design, results.parameters)
+        stopped = kit_files.write_kit(results, options.output, job, order, risen)
     else:  # stopped before there was anything to draw
         raise Stopped
     return _finish(results, options.output, session, stopped)
@@ -187,8 +171,7 @@ def compare(options: Any, session: Session) -> int:
         found = comparing.compare(design, scan, session.job)
     if expected := comparing.predicted(options.design):
         found["predicted"] = expected
-    with session.interrupt.shielded():
-        comparing.write_comparison(design, found, options.output)
+    comparing.write_comparison(design, found, options.output)
     for line in comparing.said(found):
         session.answer(line)
     return VALID
@@ -222,7 +205,7 @@ def actuate(options: Any, session: Session) -> int:
     if results[RISEN].block["arrives"] is False:
         area = results["figures"].report()["area"]
         former = former_stl(Former.of(results.design, results.parameters, area))
-    with session.interrupt.shielded(), translated(str(options.design)):
+    with translated(str(options.design)):
         stopped = actuation.write_actuation(results, options.output, job, compensation, former)
     if compensation:
         session.reporter.say(f"{project.name}: {compensation.said}")
@@ -362,7 +345,7 @@ def _with_chosen_sizes(project: Project, names: set[str], session: Session) -> P
 
 def _read_design(path: Path) -> Any:
     try:
-        text = read_text(path)
+        text = path.read_text(encoding="utf-8-sig")
     except OSError as error:
         raise CurveUpsError(f"the design can't be read: {error.strerror}", str(path),
                             "check its name and permissions") from None
@@ -383,9 +366,6 @@ def _settings(texts: list[str]) -> Iterator[tuple[str, str]]:
 
 
 def _set(values: Any, name: str, value: Any, where: str, session: Session) -> None:
-    for text in (name, value):
-        if isinstance(text, str) and not is_text(text):
-            raise CurveUpsError(f"{text!a} is no UTF-8 text", where, "give it in plain letters")
     with translated(where):
         values.set(name, value)
 

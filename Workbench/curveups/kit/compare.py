@@ -15,7 +15,6 @@ import numpy as np
 from ..base.errors import CurveUpsError, tile_name
 from ..base.native import native
 from ..base.output import Folder
-from ..base.reading import read_text
 from ..report import html
 from ..report.data import to_text
 from ..report.tables import table
@@ -74,7 +73,7 @@ def _samples(V: np.ndarray, F: np.ndarray, count: int) -> np.ndarray:
 
 def _read_points(path: Path, tile_count: int) -> tuple[np.ndarray, np.ndarray]:
     try:
-        text = read_text(path)
+        text = path.read_text(encoding="utf-8-sig")
     except OSError as error:
         raise CurveUpsError(f"the scan can't be read: {error.strerror}", str(path),
                             "check its name and permissions") from None

@@ -11,8 +11,7 @@ import threading
 import time
 from dataclasses import dataclass, field
 from functools import cached_property
-from types import MappingProxyType
-from typing import Any, Callable, Iterable, Iterator, Mapping, Optional, Sequence
+from typing import Any, Iterable, Iterator, Mapping, Optional, Sequence
 
 from ..base.errors import CurveUpsError, Stopped
 from ..base.findings import Finding
@@ -178,11 +177,8 @@ class Project:
         return changes(name, _records(known), parameters, self._given)
 
     def run(self, goals: Sequence[str], job: Optional[Job] = None, strict: bool = False,
-            note: Optional[Finding] = None, watch: Optional[Callable[[str, Results], object]] = None,
-            expect: Optional[Callable[[Results], object]] = None) -> Results:
-        """Makes the goals, each with what it needs, and returns all there is then. watch: told each goal as
-        it is made, with all there is by then. expect: told, before a stage begins that knows what its result
-        will be unless it finds a fault, all there will be then.
+            note: Optional[Finding] = None) -> Results:
+        """Makes the goals, each with what it needs, and returns all there is then.
 
         A stage that fails or is stopped where work before it is worth its files ends in a result that
         says so; `strict`: failures are raised. Raises CurveUpsError, and Stopped where there is nothing.
@@ -191,12 +187,10 @@ class Project:
         with self._working:
             with self._reading:
                 run = _Run(self.name, self._parameters, dict(self._given), dict(self._made), self._store,
-                           self.where, job, strict, note, expect)
+                           self.where, job, strict, note)
             try:
                 for goal in goals:
                     run.make(goal)
-                    if watch is not None:
-                        watch(goal, run.results())
             finally:
                 with self._reading:
                     self._made.update(run.lasting)
@@ -225,11 +219,10 @@ class _Run:
     """One run: what it made is its own until it ends."""
 
     def __init__(self, name: str, parameters: Any, given: dict[str, Made], made: dict[str, Made],
-                 store: Any, where: str, job: Job, strict: bool, note: Optional[Finding],
-                 expect: Optional[Callable[[Results], object]]):
+                 store: Any, where: str, job: Job, strict: bool, note: Optional[Finding]):
         self.name, self.parameters, self.given, self.before = name, parameters, given, made
         self.store, self.where, self.job, self.strict = store, where, job, strict
-        self.note, self.expect = note, expect
+        self.note = note
         self.made: dict[str, Made] = dict(given)
         self.records: dict[str, Record] = dict(_records(given))
         self.lasting: dict[str, Made] = {}  # results that may be asked for again
@@ -258,8 +251,6 @@ class _Run:
                 if self.job.stopped:
                     raise Stopped
                 self.job.stage = stage.name
-                if self.expect is not None and stage.expected is not None:
-                    self.expect(self.results({stage.name: Made(stage.expected(inputs), key)}))
                 result = stage.run(inputs, self.job)
         except Stopped:
             self.job.stopped = True
@@ -275,9 +266,8 @@ class _Run:
         self.lasting[stage.name] = made
         return made
 
-    def results(self, more: Mapping[str, Made] = MappingProxyType({})) -> Results:
-        """All there is, and `more`."""
-        there = {**self.made, **more}
-        made = {name: there[name] for name in (*self.given, *BY_NAME) if name in there}
+    def results(self) -> Results:
+        """All there is."""
+        made = {name: self.made[name] for name in (*self.given, *BY_NAME) if name in self.made}
         stopped = self.job.stopped or any(one.result.stopped for one in made.values())
         return Results(self.name, _decided(made, _records(made), self.parameters), made, self.note, stopped)

@@ -17,7 +17,6 @@ from .. import __version__
 from ..base.errors import CurveUpsError, Stopped, tile_list, tile_name
 from ..base.native import native
 from ..base.output import Folder
-from ..base.reading import read_text
 from ..project.compensation import Compensation
 from ..project.project import Results
 from ..stages import BY_NAME, HELP, RISEN, START
@@ -43,7 +42,7 @@ def read_start(text: str, count: int) -> ActuationStart:
     if not colon or not number.isdecimal():
         path, number = text, ""
     try:
-        found = json.loads(read_text(Path(path)))
+        found = json.loads(Path(path).read_text(encoding="utf-8-sig"))
         if found["format"] != FRAMES_FORMAT:
             raise ValueError
         frames = found["frames"]

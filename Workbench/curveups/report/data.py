@@ -5,12 +5,12 @@ from __future__ import annotations
 
 import json
 import math
+import sys
 from typing import Any, Sequence
 
 import numpy as np
 
 from .. import __version__
-from ..base.machine import peak_memory_mb
 from ..project.project import Results
 from ..stages.stage import Row
 
@@ -37,7 +37,7 @@ def build_report(results: Results, rows: Sequence[Row], stopped: bool, files: di
     for result in results.values():
         for name, block in result.report().items():
             report[name] = {**report[name], **block} if isinstance(report.get(name), dict) else block
-    list_files(report, results, files)
+    list_files(report, files)
     report["stages"] = [{"name": row.name, "seconds": round(row.seconds, 3),
                          "iterations": int(row.iterations)} for row in rows]
     report["peak_memory_mb"] = peak_memory_mb()
@@ -45,14 +45,20 @@ def build_report(results: Results, rows: Sequence[Row], stopped: bool, files: di
     return report
 
 
-def list_files(report: dict[str, Any], results: Results, files: dict[str, int]) -> None:
-    """Enters what has been written: all of it beside the print's figures; where a stop left none, the files
-    of solids, as unchecked."""
+def peak_memory_mb() -> float | None:
+    """The most memory that this process has held, MB; None where the system does not tell."""
+    try:
+        import resource
+    except ImportError:  # Windows
+        return None
+    unit = 1024 * 1024 if sys.platform == "darwin" else 1024
+    return round(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / unit, 1)
+
+
+def list_files(report: dict[str, Any], files: dict[str, int]) -> None:
+    """Enter what has been written beside the print's figures."""
     if "print" in report:
         report["print"]["files"] = dict(files)
-    elif has_solids(results):
-        report["unchecked_files"] = {name: size for name, size in files.items()
-                                     if not name.endswith((".json", ".html"))}
 
 
 def has_solids(results: Results) -> bool:

@@ -4,7 +4,6 @@ says so in every file whose format has a place for that, and in the reports."""
 
 from __future__ import annotations
 
-import json
 import string
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -14,7 +13,7 @@ from typing import Any, Callable, ClassVar, Iterable, Mapping, Optional, Sequenc
 from ..base.errors import CurveUpsError, Stopped, named_tiles
 from ..base.findings import Finding
 from ..base.native import native, translated
-from ..base.output import Folder, Prepared, safe_name
+from ..base.output import Folder, safe_name
 from ..project.project import Made, Project, Results
 from ..stages import asked_by
 from ..stages.design import FinishedDesign
@@ -83,10 +82,9 @@ def file_names(name: str, choice: Choice, more: Mapping[str, Callable[[str], str
 
 
 def write_export(project: Project, folder: Path, choice: Choice, job: Job) -> Folder:
-    """Writes the chosen files and the reports. The files get their names together, once all are whole, and
-    the reports of earlier files go before. Raises CurveUpsError where the design is doubtful and not
-    insisted on or a file can't be written, Stopped where it was stopped: the folder is as it was then, but
-    for a failure between names and reports, which leaves no report."""
+    """Write the chosen files and the reports; reports of earlier files go first. Raises CurveUpsError where
+    the design is doubtful and not insisted on or a file can't be written, Stopped where it was stopped:
+    complete files stay then, without a report."""
     if choice.doubts and not choice.insist:
         raise _doubtful(choice.doubts[0], project)
     if not choice.files:
@@ -96,52 +94,17 @@ def write_export(project: Project, folder: Path, choice: Choice, job: Job) -> Fo
     broken = [reason for stage in asked_by("print") for reason in results[stage].reasons()]
     if broken and not choice.insist:
         raise _doubtful(broken[0], project)
-    ready: list[Prepared] = []
-    with Folder(folder) as place:
-        try:
-            _prepare(place, ready, names, project, results, job)
-            place.remove(*_outdated(place.path, project.name, names, choice))
-            for one in ready:
-                place.keep(one)
-        finally:
-            for one in ready:
-                place.drop(one)
-            if not place.files:
-                place.withdraw()
+    with Folder(folder) as place, translated(project.where):
+        place.remove(*REPORTS)
+        place.write_text("design.json", native.write_design(results.design))
+        model = results["solids"].model
+        for (kind, ending), file in names.items():
+            if kind in (*results["solids"].kinds, "print", "actuated"):
+                job.go_on(f"writing {file}")
+                place.write(file, _writer(model, kind, ending, job))
         if choice.reports:
-            write_reports(_with(results, choice.doubts), place, stem=safe_name(project.name))
+            write_reports(_with(results, choice.doubts), place)
     return place
-
-
-def _prepare(place: Folder, ready: list[Prepared], names: Mapping[File, str], project: Project,
-             results: Results, job: Job) -> None:
-    """Appends the design's file and the chosen ones, none of which has its name yet, to `ready`."""
-    with translated(project.where):
-        text = native.write_design(results.design).encode("utf-8")
-    ready.append(place.prepare(_design_name(project.name), lambda path: path.write_bytes(text)))
-    model = results["solids"].model
-    for (kind, ending), file in names.items():
-        if kind in (*results["solids"].kinds, "print", "actuated"):
-            job.go_on(f"writing {file}")
-            ready.append(place.prepare(file, _writer(model, kind, ending, job)))
-
-
-def _outdated(folder: Path, name: str, names: Mapping[File, str], choice: Choice) -> list[str]:
-    """The reports that an export makes untrue: the design's own, and another's of files that it replaces."""
-    own = [f"{safe_name(name)}-{one}" for one in REPORTS]
-    stays = other_report(folder, name) and not replaced(folder, name, names, choice)
-    return own if stays else [*REPORTS, *own]
-
-
-def replaced(folder: Path, name: str, names: Mapping[File, str], choice: Choice) -> str:
-    """The other design whose report or files an export into a folder replaces; empty where there is none.
-    names: of the chosen files."""
-    takes = choice.reports or any((folder / one).exists() for one in (*names.values(), _design_name(name)))
-    return other_report(folder, name) if takes else ""
-
-
-def _design_name(name: str) -> str:
-    return f"{safe_name(name)}-design.json"
 
 
 def write_spares(project: Project, folder: Path, tiles: str, job: Job) -> list[str]:
@@ -157,15 +120,6 @@ def write_spares(project: Project, folder: Path, tiles: str, job: Job) -> list[s
             job.go_on(f"writing {file}")
             place.write(file, _writer(spares, kind, one.ending, job))
     return list(place.files)
-
-
-def other_report(folder: Path, name: str) -> str:
-    """The design, not called `name`, whose report.json is in a folder; empty where there is none."""
-    try:
-        found = json.loads((folder / "report.json").read_text("utf-8"))["name"]
-    except (OSError, ValueError, KeyError, TypeError):
-        return ""
-    return found if isinstance(found, str) and found != safe_name(name) else ""
 
 
 def report(project: Project, folder: Path, doubts: Iterable[Finding], job: Job) -> Path:

@@ -6,7 +6,7 @@ from __future__ import annotations
 import base64
 from importlib import import_module
 from html import escape
-from typing import Any, Callable, Iterable, Iterator, Optional, Sequence, Union
+from typing import Any, Iterable, Optional, Sequence, Union
 
 from ..base.errors import tile_list, tile_name
 from ..base.parameters import table as parameter_table
@@ -53,42 +53,25 @@ def view(name: str, **data: Any) -> Drawn:
     return getattr(import_module(f".{module}", __package__), function)(**data)
 
 
-def draw(results: Results) -> Iterator[Drawn]:
-    """The page's pictures in their order; they are most of its time."""
-    for one in _pictures(results):
-        yield view(one.view, **one.data)
-
-
 def _pictures(results: Results) -> list[Picture]:
     """What is printed belongs to the shop's block, which comes first."""
     printed = print_picture(results)
     return [*([printed] if printed else []), *results.pictures()]
 
 
-def pictures_or_note(draw: Callable[[], Iterable[Drawn]]) -> tuple[list[Drawn], list[str]]:
-    """The pictures, or none and what the page says of that: a page without them is better than none."""
-    try:
-        return list(draw()), []
-    except Exception as error:  # of matplotlib, which needs a folder that it may write to
-        said = escape(" ".join(str(error).split()) or type(error).__name__)
-        return [], [f'<p class="note">The pictures could not be drawn: {said}.</p>']
-
-
 def pictured(name: str, caption: str, **data: Any) -> list[str]:
-    """A picture with its caption as parts of a page, or what the page says where it can't be drawn."""
-    drawn, note = pictures_or_note(lambda: [view(name, **data)])
-    return [*(picture(one, caption) for one in drawn), *note]
+    """A picture with its caption, as parts of a page."""
+    return [picture(view(name, **data), caption)]
 
 
-def build_html(results: Results, report: dict, drawn: Optional[Sequence[Drawn]] = None) -> str:
-    """The page for the results of a run and their report; `drawn`: its pictures, where they are there."""
-    shown, note = pictures_or_note(lambda: draw(results) if drawn is None else drawn)
-    parts = [f"<h1>{escape(report['title'])}</h1>", _verdict(report), *note]
+def build_html(results: Results, report: dict) -> str:
+    """Page for the results of a run and their report."""
+    parts = [f"<h1>{escape(report['title'])}</h1>", _verdict(report)]
     printed = "print" in report and "sheets" in report
     parts += _shop(report, results.parameters) if printed else []
-    for one, drawn_one in zip(_pictures(results), shown):
+    for one in _pictures(results):
         parts += [f"<h2>{escape(one.heading)}</h2>"] if one.heading else []
-        parts.append(picture(drawn_one, one.caption))
+        parts += pictured(one.view, one.caption, **one.data)
     parts += _cuts(report.get("suggested_cuts", ()))
     parts += changes(report)
     parts += worst_contacts(report.get("worst_contacts", ()),
@@ -120,14 +103,11 @@ def _verdict(report: dict) -> str:
     if report["status"] == "stopped":
         text += ", stopped before the end"
     reasons = "".join(f"<li>{escape(reason)}</li>" for reason in report["reasons"])
-    unchecked = ", ".join(report.get("unchecked_files", ()))
     return (f'<p><span class="verdict {kind}">{text}</span> &nbsp; {report["tiles"]} tiles, '
             f'{report["contacts"]} contacts, {report["cuts"]} cuts</p>'
             + (f"<ul>{reasons}</ul>" if reasons else "")
             + "".join(f'<p class="note">Not covered: {escape(text)}.</p>'
-                      for text in report.get("not_covered", ()))
-            + (f'<p class="note">Files of solids that nobody has checked: {escape(unchecked)}.</p>'
-               if unchecked else ""))
+                      for text in report.get("not_covered", ())))
 
 
 def _window(ranges: Sequence[dict]) -> list[str]:

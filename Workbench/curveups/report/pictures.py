@@ -7,27 +7,18 @@ The same design gives the same bytes: no dates, no random ids, fixed sizes.
 from __future__ import annotations
 
 import io
-import logging
-import os
 from types import SimpleNamespace
 from typing import Any, Sequence
 
-# Every figure has its canvas here, and a word that names no backend ends the import.
-# What it says of folders that it may not write to is no news of a design.
-logging.getLogger("matplotlib").setLevel(logging.ERROR)
-_backend = os.environ.pop("MPLBACKEND", None)
-import matplotlib  # noqa: E402
+import matplotlib
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.figure import Figure
+from PIL import Image
 
-if _backend is not None:
-    os.environ["MPLBACKEND"] = _backend
-matplotlib.rcParams["svg.hashsalt"] = "curveups"
+matplotlib.rcParams["svg.hashsalt"] = "curveups"  # the same ids every time
 matplotlib.rcParams["font.size"] = 9
-
-import numpy as np  # noqa: E402
-from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: E402
-from matplotlib.collections import LineCollection, PolyCollection  # noqa: E402
-from matplotlib.figure import Figure  # noqa: E402
-from PIL import Image  # noqa: E402
 
 BODY, PIN, EDGE, WEAK = "#e9c98f", "#b5651d", "#7a5a2b", "#d81b60"
 MARKS = ("#cfc8bb", "#ef8a17", "#c62828")  # of tiles: sound, doubtful, impossible

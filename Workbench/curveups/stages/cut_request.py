@@ -12,7 +12,6 @@ import numpy as np
 
 from ..base.errors import CurveUpsError
 from ..base.native import native, translated
-from ..base.reading import read_text
 from .stage import Result, Row, digest
 from .suggestions import CutSearch
 
@@ -81,7 +80,7 @@ def read_json_object(path: Path) -> dict:
         raise ValueError(f"{text} is no number")
 
     try:
-        data = json.loads(read_text(path), parse_constant=refuse)
+        data = json.loads(path.read_text(encoding="utf-8-sig"), parse_constant=refuse)
     except OSError as error:
         raise CurveUpsError(f"the file can't be read: {error.strerror}", str(path),
                             "check its name and permissions") from None

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, ClassVar, Iterable, Mapping, Optional, Sequence
 
@@ -125,11 +125,12 @@ class Check(Result):
         return (Row("check", seconds),) if self.print_block else ()
 
 
-def _if_sound(inputs: Inputs) -> Check:
-    """What is found where every solid is sound: figures of the bodies alone."""
+def _check(inputs: Inputs, job: Job) -> Check:
     model = inputs["solids"].model
     if model is None:
         return Check()
+    job("checking solids", 0.0)
+    unsound, reasons = model.judge_solids(job)
     clearances = inputs["clearances"]
     clearance = clearances.flat_mm if clearances.flat_mm is not None else model.min_clearance_flat()
     overlap = clearances.overlap_mm3 if clearances.overlap_mm3 is not None else 0.0
@@ -138,12 +139,14 @@ def _if_sound(inputs: Inputs) -> Check:
     printed: dict[str, Any] = {
         "bbox_mm": box, "pieces": int(model.piece_count), **amounts([model]), "smallest_feature_mm": smallest,
         "overhang_mm": max(model.overhangs, default=0.0)}
-    solids = {"tiles": int(model.tile_count), "invalid": 0, "volume_cm3": printed["tile_volume_cm3"],
+    solids = {"tiles": int(model.tile_count), "invalid": len(unsound),
+              "volume_cm3": printed["tile_volume_cm3"],
               "min_clearance_flat_mm": clearance, "max_overlap_actuated_mm3": overlap}
     printer = read_printer(inputs.parameters.get("printer"))
     warned = (*_printer_warnings(model, inputs.parameters, box, clearance, printer),
               *_fit_warnings(inputs.parameters, printer))
-    return Check(printed, solids, too_thin(inputs["figures"].relaxed, printer), warned)
+    broken = (*all_of(reasons), *too_thin(inputs["figures"].relaxed, printer))
+    return Check(printed, solids, broken, warned)
 
 
 def amounts(models: Sequence[Any]) -> dict[str, Any]:
@@ -159,20 +162,9 @@ def amounts(models: Sequence[Any]) -> dict[str, Any]:
                 for side in sides for what in sides[side]}}}
 
 
-def _check(inputs: Inputs, job: Job) -> Check:
-    model, found = inputs["solids"].model, _if_sound(inputs)
-    if model is None:
-        return found
-    job("checking solids", 0.0)
-    unsound, reasons = model.judge_solids(job)
-    return replace(found, solids_block={**found.solids_block, "invalid": len(unsound)},
-                   broken=(*all_of(reasons), *found.broken))
-
-
 CHECK = Stage("check", ("solids", "figures", "clearances"), frozenset({"check", "tiles"}), _check,
               on_stop=lambda stage, inputs: Check(
                   note=Finding("stopped.unchecked") if inputs["solids"].model else None),
-              expected=_if_sound,
               label="Check of the solids", asked_by=("print",), judges=True)
 
 

@@ -146,8 +146,7 @@ class Stage:
     """`reads`: upstream stages; `parts`: whose parameters it reads (base/parameters.py), or a
     function of the parameters that says so, where some decide whether others are read at all; `on_failure`:
     the result of a failure that must not cost what there is already; `on_stop`: of a stop (with the stage
-    that was stopped) where work before it is worth its files; `expected`: the result, equal (==) to that of
-    `run` unless it finds a fault, where that is known without the work.
+    that was stopped) where work before it is worth its files.
 
     Its roles. `label`: what users read for it. `asked_by`: the commands that ask for it by name (check, cuts,
     solve, verify, build, print); what it reads is made as well. `judges`: whether it has a say in the
@@ -160,7 +159,6 @@ class Stage:
     run: Callable[[Inputs, Job], Result]
     on_failure: Optional[Callable[[CurveUpsError, Inputs], Result]] = None
     on_stop: Optional[Callable[[str, Inputs], Result]] = None
-    expected: Optional[Callable[[Inputs], Result]] = None
     label: str = ""
     asked_by: tuple[str, ...] = ()
     judges: Union[bool, Callable[[Any], bool]] = False

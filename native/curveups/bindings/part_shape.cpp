@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/bindings/part_shape.hpp"
 
+#ifdef __linux__
+#include <dlfcn.h>
+#endif
+
 #include <string>
 
-#include "curveups/core/platform.hpp"
 #include "curveups/fabrication/print_solids.hpp"
 
 namespace curveups::bindings {
@@ -20,8 +23,12 @@ using Convert = void* (*)(ReturnedObject*, const TopoDS_Shape&);
 
 Convert find_conversion(const py::module_& part) {
 #ifdef __linux__  // elsewhere such an object may come back in another way
-  return reinterpret_cast<Convert>(platform::loaded_symbol(
-      part.attr("__file__").cast<std::string>(), "_ZN4Part13shape2pyshapeERK12TopoDS_Shape"));
+  const std::string library = part.attr("__file__").cast<std::string>();
+  void* handle = ::dlopen(library.c_str(), RTLD_LAZY | RTLD_NOLOAD);
+  if (!handle) return nullptr;
+  void* symbol = ::dlsym(handle, "_ZN4Part13shape2pyshapeERK12TopoDS_Shape");
+  ::dlclose(handle);  // NOLOAD counted it up; whoever loaded it keeps it
+  return reinterpret_cast<Convert>(symbol);
 #else
   return nullptr;
 #endif

@@ -5,9 +5,9 @@
 
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/tolerances.hpp"
-#include "curveups/fabrication/atomic_file.hpp"
 #include "curveups/fabrication/palette.hpp"
 #include "curveups/fabrication/step_solid.hpp"
+#include "curveups/fabrication/write_bytes.hpp"
 
 namespace curveups {
 namespace {
@@ -131,19 +131,17 @@ class Products {
 
 void write_step(const std::vector<const PrintBody*>& bodies, const std::string& title,
                 const std::string& path) {
-  write_atomically(path, [&](const std::string& temporary) {
-    StepText step(temporary, title);
-    Products products(step, title);
-    for (std::size_t k = 0; k < bodies.size(); ++k) {
-      if (k % bodies_at_once == 0) {
-        checkpoint("writing STEP", static_cast<double>(k) / bodies.size());
-      }
-      products.add_part(*bodies[k]);
+  StepText step(title);
+  Products products(step, title);
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    if (k % bodies_at_once == 0) {
+      checkpoint("writing STEP", static_cast<double>(k) / bodies.size());
     }
-    checkpoint("writing STEP", 1);
-    products.finish();
-    step.finish();
-  });
+    products.add_part(*bodies[k]);
+  }
+  checkpoint("writing STEP", 1);
+  products.finish();
+  write_bytes(path, step.finish());
 }
 
 }  // namespace curveups

@@ -2,20 +2,14 @@
 #include "curveups/fabrication/step_text.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
+#include <cstdio>
 
 #include "curveups/core/errors.hpp"
 
 namespace curveups {
 namespace {
-
-[[noreturn]] void fail(const std::string& path) {
-  throw IoError("can't write " + path + ": " + std::strerror(errno),
-                "check that the disk has room");
-}
 
 std::string hexadecimal(unsigned code) {
   char digits[12];
@@ -50,32 +44,14 @@ std::string step_string(const std::string& utf8) {
   return out + "'";
 }
 
-StepText::StepText(const std::string& path, const std::string& title)
-    : path_(path), file_(std::fopen(path.c_str(), "wb")) {
-  if (!file_) fail(path_);
-  buffer_.reserve(buffer_limit + (1 << 16));
-  buffer_ = "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION(('CurveUps'),'2;1');\nFILE_NAME(" +
-            step_string(title) +
-            ",'1970-01-01T00:00:00',(''),(''),'CurveUps','CurveUps','');\n"
-            "FILE_SCHEMA(('AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }'));\nENDSEC;\nDATA;\n";
+StepText::StepText(const std::string& title) {
+  text_ = "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION(('CurveUps'),'2;1');\nFILE_NAME(" +
+          step_string(title) +
+          ",'1970-01-01T00:00:00',(''),(''),'CurveUps','CurveUps','');\n"
+          "FILE_SCHEMA(('AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }'));\nENDSEC;\nDATA;\n";
 }
 
-StepText::~StepText() {
-  if (file_) std::fclose(file_);
-}
-
-void StepText::finish() {
-  buffer_ += "ENDSEC;\nEND-ISO-10303-21;\n";
-  flush();
-  std::FILE* file = file_;
-  file_ = nullptr;
-  if (std::fclose(file) != 0) fail(path_);
-}
-
-void StepText::flush() {
-  if (std::fwrite(buffer_.data(), 1, buffer_.size(), file_) != buffer_.size()) fail(path_);
-  buffer_.clear();
-}
+const std::string& StepText::finish() { return text_ += "ENDSEC;\nEND-ISO-10303-21;\n"; }
 
 void StepText::append(double value) {
   if (!std::isfinite(value)) {
@@ -86,17 +62,17 @@ void StepText::append(double value) {
   char digits[40];
   char* const end = std::to_chars(digits, digits + sizeof digits, value).ptr;
   char* const exponent = std::find(digits, end, 'e');
-  buffer_.append(digits, exponent);
-  if (std::find(digits, exponent, '.') == exponent) buffer_ += '.';
+  text_.append(digits, exponent);
+  if (std::find(digits, exponent, '.') == exponent) text_ += '.';
   if (exponent == end) return;
-  buffer_ += 'E';
-  buffer_.append(exponent + 1, end);
+  text_ += 'E';
+  text_.append(exponent + 1, end);
 }
 
 void StepText::append(StepId id) {
   char digits[16];
-  buffer_ += '#';
-  buffer_.append(digits, std::to_chars(digits, digits + sizeof digits, static_cast<int>(id)).ptr);
+  text_ += '#';
+  text_.append(digits, std::to_chars(digits, digits + sizeof digits, static_cast<int>(id)).ptr);
 }
 
 void StepText::append(const Vec3& v) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The text of a STEP file (ISO 10303-21), entity after entity, straight to the disk.
+// Text of a STEP file (ISO 10303-21), entity after entity.
 #pragma once
 
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -13,15 +12,12 @@ namespace curveups {
 // The number of an entity.
 enum class StepId : int {};
 
-// Numbers have all the digits that doubles need to read back the same. Throws IoError, and
-// SolverFailure for a number that is not finite.
+// Numbers have all the digits that doubles need to read back the same. Throws SolverFailure for a
+// number that is not finite.
 class StepText {
  public:
-  // Opens `path` and writes the header; AP214. No date.
-  StepText(const std::string& path, const std::string& title);
-  ~StepText();
-  StepText(const StepText&) = delete;
-  StepText& operator=(const StepText&) = delete;
+  // Begins with the header; AP214. No date.
+  explicit StepText(const std::string& title);
 
   // One entity put together from its parts: text as it is, numbers, ids, points and lists of ids.
   template <class... Parts>
@@ -31,27 +27,21 @@ class StepText {
     append("=");
     (append(parts), ...);
     append(";\n");
-    if (buffer_.size() > buffer_limit) flush();
     return id;
   }
 
-  // Ends the file. Without it the file stays incomplete.
-  void finish();
+  // The whole file; nothing can be added after it.
+  const std::string& finish();
 
  private:
-  static constexpr std::size_t buffer_limit = 1 << 20;
-
-  void append(const char* text) { buffer_ += text; }
-  void append(const std::string& text) { buffer_ += text; }
+  void append(const char* text) { text_ += text; }
+  void append(const std::string& text) { text_ += text; }
   void append(double value);
   void append(StepId id);
   void append(const Vec3& v);
   void append(const std::vector<StepId>& ids);
-  void flush();
 
-  std::string path_;
-  std::FILE* file_;
-  std::string buffer_;
+  std::string text_;
   int count_ = 0;
 };
 

@@ -5,8 +5,8 @@
 #include <cstring>
 
 #include "curveups/core/checkpoint.hpp"
-#include "curveups/fabrication/atomic_file.hpp"
 #include "curveups/fabrication/mesh_files.hpp"
+#include "curveups/fabrication/write_bytes.hpp"
 
 namespace curveups {
 namespace {
@@ -45,7 +45,7 @@ void write_stl(const std::vector<BodyMesh>& meshes, const std::string& title,
       bytes.append(2, '\0');
     }
   }
-  write_atomically(path, [&](const std::string& temporary) { write_bytes(temporary, bytes); });
+  write_bytes(path, bytes);
 }
 
 }  // namespace curveups

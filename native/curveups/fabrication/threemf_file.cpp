@@ -11,9 +11,9 @@
 #include "Model/COM/NMR_DLLInterfaces.h"
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
-#include "curveups/fabrication/atomic_file.hpp"
 #include "curveups/fabrication/mesh_files.hpp"
 #include "curveups/fabrication/palette.hpp"
+#include "curveups/fabrication/write_bytes.hpp"
 
 namespace curveups {
 namespace {
@@ -273,8 +273,7 @@ void write_3mf(const std::vector<BodyMesh>& meshes, const std::string& title,
                                          reinterpret_cast<void*>(&Archive::seek), &archive);
   if (cancelled) throw Cancelled();
   require(written, "write the archive");
-  const std::string zip = plain_zip(archive.bytes);
-  write_atomically(path, [&](const std::string& temporary) { write_bytes(temporary, zip); });
+  write_bytes(path, plain_zip(archive.bytes));
 }
 
 }  // namespace curveups

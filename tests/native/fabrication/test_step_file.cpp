@@ -25,6 +25,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <sstream>
 
 #include "curveups/core/errors.hpp"
 #include "curveups/fabrication/occ_solids.hpp"
@@ -309,12 +310,9 @@ TEST_F(StepFile, WritesNumbersThatReadBackTheSame) {
                            123456.0,
                            5e-324,
                            std::numeric_limits<double>::max()};
-  {
-    StepText step(path(), "numbers");
-    for (double value : values) step.add("X(", value, ")");
-    step.finish();
-  }
-  std::ifstream file(path());
+  StepText numbers("numbers");
+  for (double value : values) numbers.add("X(", value, ")");
+  std::istringstream file(numbers.finish());
   std::size_t found = 0;
   for (std::string line; std::getline(file, line);) {
     const std::size_t at = line.find("=X(");
@@ -326,14 +324,8 @@ TEST_F(StepFile, WritesNumbersThatReadBackTheSame) {
     EXPECT_EQ(number.find('e'), std::string::npos) << number;
   }
   EXPECT_EQ(found, std::size(values));
-  StepText step(path(), "broken");
+  StepText step("broken");
   EXPECT_THROW(step.add("X(", std::nan(""), ")"), SolverFailure);
-}
-
-TEST_F(StepFile, AFullDiskIsAnError) {
-  StepText step("/dev/full", "full");
-  step.add("X(", std::string(1 << 16, 'x'), ")");
-  EXPECT_THROW(step.finish(), IoError);
 }
 
 }  // namespace

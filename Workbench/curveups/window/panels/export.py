@@ -14,7 +14,7 @@ from ...base.errors import CurveUpsError
 from ...base.native import native
 from ...features import actions
 from ...features.document import settings_of
-from ...report.exports import Choice, choices, file_names, replaced
+from ...report.exports import Choice, choices, file_names
 from .. import runs
 from ..notice import errors_shown, link, shown
 from ..qt import QtCore, QtWidgets, translate
@@ -60,10 +60,7 @@ class ExportPanel(Panel):
         self._say("")
         with errors_shown(translate("CurveUpsExport", "Export")):
             choice, folder = self.choice(), self._folder.path
-            names = file_names(self.design.Label, choice)
-            other = replaced(Path(folder), self.design.Label, names, choice)
-            if other and not self._may_replace(folder, other, choice.reports):
-                return
+            file_names(self.design.Label, choice)  # says what is wrong with them before anything starts
             work = actions.export_work(self.design, folder, choice)
             LIVE.start(self.design, Task(translate("CurveUpsExport", "Export"), work,
                                          partial(self._written, folder, choice)))
@@ -77,15 +74,6 @@ class ExportPanel(Panel):
                                 folder=folder))
         self._say(f"{said}<br>{' · '.join(_links(Path(folder), names))}")
         FreeCAD.Console.PrintMessage(f"CurveUps: {', '.join(names)} -> {folder}\n")
-
-    def _may_replace(self, folder: str, other: str, reports: bool) -> bool:
-        """Asks whether what a folder holds of another design may go."""
-        box = QtWidgets.QMessageBox
-        text = (translate("CurveUpsExport", "{folder} holds the report of {other}. Replace it?",
-                          folder=folder, other=other) if reports else
-                translate("CurveUpsExport", "{folder} holds files of these names and the report of {other}. "
-                          "Replace the files and remove the report?", folder=folder, other=other))
-        return box.question(self.form, self.form.windowTitle(), text, box.Yes | box.No, box.No) == box.Yes
 
     def _items(self) -> list[Any]:
         files = self.form.files
