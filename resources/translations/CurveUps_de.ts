@@ -255,10 +255,6 @@
       <translation>Kleinste Normalkraft an jedem Kontaktpunkt, als Bruchteil der mittleren Normalkraft. Von 0 bis 1. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
-      <source>Let repair move vertices of the actuated surface slightly where poses and pins alone don't suffice. Takes effect with Solve.</source>
-      <translation>Der Reparatur erlauben, Ecken der aktuierten Fläche etwas zu verschieben, wo Lagen und Zapfen allein nicht genügen. Wirkt mit „Lösen“.</translation>
-    </message>
-    <message>
       <source>List the faces of a CAD part that become the target, such as Face3,Face7-9. Skin and open choose them where the list is empty. Takes effect with Solve.</source>
       <translation>Die Flächen eines CAD-Teils angeben, die zur Zielfläche werden, etwa Face3,Face7-9. Ist die Liste leer, wählen skin und open sie aus. Wirkt mit „Lösen“.</translation>
     </message>
@@ -299,12 +295,8 @@
       <translation>Schubmodul der vorderen Membran (Latex). Von 0.001 bis 1000 MPa. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
-      <source>Shear stress that the glue between membranes and print withstands. Repair enlarges pins that carry more. Pins without room for that let go, and the verdict looks at what is left. From 0.001 to 100 MPa. Takes effect with Verify.</source>
-      <translation>Schubspannung, die der Kleber zwischen Membranen und Druck aushält. Die Reparatur vergrößert Stifte, die mehr tragen. Stifte ohne Platz dafür lösen sich, und das Urteil gilt dem, was bleibt. Von 0.001 bis 100 MPa. Wirkt mit „Prüfen“.</translation>
-    </message>
-    <message>
-      <source>Size of the largest triangles of the coarser membrane mesh, as a fraction of L. Those of the finer mesh have half of it. From 0.05 to 2. Takes effect with Verify.</source>
-      <translation>Größe der größten Dreiecke des gröberen Membrannetzes als Bruchteil von L. Die des feineren haben die Hälfte. Von 0.05 bis 2. Wirkt mit „Prüfen“.</translation>
+      <source>Shear stress that the glue between membranes and print withstands. A warning names pins that carry more. The verdict does not depend on it. From 0.001 to 100 MPa. Takes effect with Verify.</source>
+      <translation>Schubspannung, die der Kleber zwischen Membranen und Druck aushält. Eine Warnung nennt Zapfen, die mehr tragen. Das Urteil hängt nicht davon ab. Von 0.001 bis 100 MPa. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
       <source>Smallest value to which p_min may shrink at sharp folds. Use the smallest feature that the printer makes. From 0 to 20 mm. Takes effect with Solve.</source>
@@ -764,10 +756,6 @@
     <message>
       <source>Verification of the layout</source>
       <translation>Prüfung der Abwicklung</translation>
-    </message>
-    <message>
-      <source>Verification on a finer mesh</source>
-      <translation>Prüfung auf feinerem Netz</translation>
     </message>
     <message>
       <source>Warning: {what}</source>
@@ -1245,10 +1233,6 @@
       <translation>; Mulden halten nach höchstens {play:.3g mm} auf, was gleitet</translation>
     </message>
     <message>
-      <source>; hold more tiles, or others (held_tiles)</source>
-      <translation>; mehr oder andere Kacheln halten (held_tiles)</translation>
-    </message>
-    <message>
       <source>A_pin_floor ({0} mm2) is larger than A_pin_min ({1} mm2)</source>
       <translation>A_pin_floor ({0} mm2) ist größer als A_pin_min ({1} mm2)</translation>
     </message>
@@ -1641,8 +1625,8 @@
       <translation>die Abwicklung auf überlappende Körper überprüfen</translation>
     </message>
     <message>
-      <source>check the layout's lengths against L, or raise mesh_size</source>
-      <translation>die Längen der Abwicklung mit L vergleichen, oder mesh_size erhöhen</translation>
+      <source>check the layout's lengths against L</source>
+      <translation>die Längen der Abwicklung mit L vergleichen</translation>
     </message>
     <message>
       <source>check the unit of the file (scale), or choose a larger L</source>
@@ -1719,10 +1703,6 @@
     <message>
       <source>contact {contact} has {share:.2f} of f_min: {why}</source>
       <translation>Kontakt {contact} hat {share:.2f} von f_min: {why}</translation>
-    </message>
-    <message>
-      <source>contact {contact} keeps pushing forces within friction at bumps' tips at {share:.2f} of f_min: {why}</source>
-      <translation>Kontakt {contact} hält drückende Kräfte mit Reibung an Noppenspitzen bei {share:.2f} von f_min: {why}</translation>
     </message>
     <message>
       <source>contact {contact} keeps pushing forces within friction at {share:.2f} of f_min: {why}</source>
@@ -1849,8 +1829,8 @@
       <translation>die Fläche selbst exportieren</translation>
     </message>
     <message>
-      <source>f_min is the estimated error of the membrane mesh, which is more than f_min_ratio asks for: lower mesh_size</source>
-      <translation>f_min ist der geschätzte Fehler des Membrannetzes, und der ist größer, als f_min_ratio verlangt: mesh_size verkleinern</translation>
+      <source>f_min is the estimated error of the membrane mesh, which is more than f_min_ratio asks for</source>
+      <translation>f_min ist der geschätzte Fehler des Membrannetzes, und der ist größer, als f_min_ratio verlangt</translation>
     </message>
     <message>
       <source>face {0} has a vertex that is not finite</source>
@@ -2641,10 +2621,6 @@
       <translation>nichts am Teil hat {0} {1} {2}</translation>
     </message>
     <message>
-      <source>on a membrane mesh of half the size: {reason}</source>
-      <translation>Auf einem halb so groben Membrannetz: {reason}</translation>
-    </message>
-    <message>
       <source>only {0} of the file's {1} faces could be read</source>
       <translation>nur {0} von {1} Flächen der Datei ließen sich lesen</translation>
     </message>
@@ -2785,8 +2761,8 @@
       <translation>Toleranzfenster</translation>
     </message>
     <message>
-      <source>pushing forces at bumps' tips within friction {mu:.3g} leave a least normal force of {least:.3g N}, less than f_min = {f_min:.3g N}, first at {contacts:8}{more}</source>
-      <translation>Drückende Kräfte an den Noppenspitzen mit der Reibung {mu:.3g} lassen eine kleinste Normalkraft von {least:.3g N}, weniger als f_min = {f_min:.3g N}, zuerst an {contacts:8}{more}</translation>
+      <source>with a friction coefficient of {mu:.3g} pushing forces are not known to reach f_min = {f_min:.3g N} where only bumps' tips touch</source>
+      <translation>Mit dem Reibungskoeffizienten {mu:.3g} ist von drückenden Kräften nicht bekannt, dass sie f_min = {f_min:.3g N} erreichen, wo nur Noppenspitzen sich berühren</translation>
     </message>
     <message>
       <source>pushing forces within friction {mu:.3g} leave a least normal force of {least:.3g N}, less than f_min = {f_min:.3g N}, first at {contacts:8}{more}</source>
@@ -3241,24 +3217,12 @@
       <translation>Vorder- oder Rückseite von {0} Kacheln verschwindet oder stülpt sich um</translation>
     </message>
     <message>
-      <source>the glue lets go of pins of {loose:8}: on the {side} pin of {tile} it carries {shear:.3g MPa} of shear, more than it withstands ({limit:.3g MPa}). The piece does not hold without them: pushing forces leave {least:.3g N}, less than f_min = {f_min:.3g N}</source>
-      <translation>der Kleber lässt Zapfen von {loose:8} los: Am Zapfen ({side}) von {tile} trägt er {shear:.3g MPa} Schub, mehr als er aushält ({limit:.3g MPa}). Das Stück hält ohne sie nicht: Drückende Kräfte lassen {least:.3g N}, weniger als f_min = {f_min:.3g N}</translation>
-    </message>
-    <message>
-      <source>the glue lets go of pins of {loose:8}: on the {side} pin of {tile} it carries {shear:.3g MPa} of shear, more than it withstands ({limit:.3g MPa}). The piece holds without them</source>
-      <translation>der Kleber lässt Zapfen von {loose:8} los: Am Zapfen ({side}) von {tile} trägt er {shear:.3g MPa} Schub, mehr als er aushält ({limit:.3g MPa}). Das Stück hält ohne sie</translation>
-    </message>
-    <message>
-      <source>the glue lets go of pins of {loose:8}: on the {side} pin of {tile} it carries {shear:.3g MPa} of shear, more than it withstands ({limit:.3g MPa}). Too few pins hold the membranes then</source>
-      <translation>der Kleber lässt Zapfen von {loose:8} los: Am Zapfen ({side}) von {tile} trägt er {shear:.3g MPa} Schub, mehr als er aushält ({limit:.3g MPa}). Dann halten zu wenige Zapfen die Membranen</translation>
-    </message>
-    <message>
       <source>the glue on the {side} pin of {tile} carries {shear:.3g MPa} of shear</source>
       <translation>Der Kleber auf dem Zapfen ({side}) von {tile} trägt {shear:.3g MPa} Schub</translation>
     </message>
     <message>
-      <source>the glue on the {side} pin of {tile} carries {shear:.3g MPa} of shear, more than glue_strength ({limit:.3g MPa}): raise A_pin_min or lower tau</source>
-      <translation>Der Kleber auf dem Zapfen ({side}) von {tile} trägt {shear:.3g MPa} Schub, mehr als glue_strength ({limit:.3g MPa}): A_pin_min erhöhen oder tau verringern</translation>
+      <source>the glue on pins of {overloaded:8} may let go: on the {side} pin of {tile} it carries {shear:.3g MPa} of shear, more than glue_strength ({limit:.3g MPa})</source>
+      <translation>Der Kleber auf Zapfen von {overloaded:8} lässt vielleicht los: Am Zapfen ({side}) von {tile} trägt er {shear:.3g MPa} Schub, mehr als glue_strength ({limit:.3g MPa})</translation>
     </message>
     <message>
       <source>the layout breaks constraints that small steps can't restore</source>
@@ -3289,8 +3253,8 @@
       <translation>die Abwicklung ist {0} m breit</translation>
     </message>
     <message>
-      <source>the least force exceeds f_min = {f_min:.3g N} by less than its error at {contacts:8}: lower mesh_size to find out on which side it is</source>
-      <translation>bei {contacts:8} liegt die kleinste Kraft um weniger als ihren Fehler über f_min = {f_min:.3g N}: ein kleineres mesh_size zeigt, auf welcher Seite sie liegt</translation>
+      <source>the least force exceeds f_min = {f_min:.3g N} by less than its error at {contacts:8}</source>
+      <translation>bei {contacts:8} liegt die kleinste Kraft um weniger als ihren Fehler über f_min = {f_min:.3g N}</translation>
     </message>
     <message>
       <source>the line can't be read</source>
@@ -3849,10 +3813,6 @@
       <translation>ob es mit der Hand in seine Form kommt, ist nicht bekannt: losgelassen kommen die Kacheln nicht zur Ruhe</translation>
     </message>
     <message>
-      <source>whether pushing forces at bumps' tips within friction {mu:.3g} balance the tiles could not be shown{more}</source>
-      <translation>Ob drückende Kräfte an den Noppenspitzen mit der Reibung {mu:.3g} die Kacheln im Gleichgewicht halten, ließ sich nicht zeigen{more}</translation>
-    </message>
-    <message>
       <source>whether pushing forces within friction {mu:.3g} balance the tiles could not be shown{more}</source>
       <translation>Ob drückende Kräfte mit der Reibung {mu:.3g} die Kacheln im Gleichgewicht halten, ließ sich nicht zeigen{more}</translation>
     </message>
@@ -3867,10 +3827,6 @@
     <message>
       <source>whether the shape holds is not known: {error}</source>
       <translation>Ob die Form hält, ist nicht bekannt: {error}</translation>
-    </message>
-    <message>
-      <source>with a friction coefficient of {mu:.3g} no pushing forces at bumps' tips balance the tiles: {pull:.3g N} of pull would be needed, first at {contacts:8}{more}</source>
-      <translation>Mit dem Reibungskoeffizienten {mu:.3g} halten keine drückenden Kräfte an den Noppenspitzen die Kacheln im Gleichgewicht: {pull:.3g N} Zug wären nötig, zuerst an {contacts:8}{more}</translation>
     </message>
     <message>
       <source>with a friction coefficient of {mu:.3g} no pushing forces balance the tiles: {pull:.3g N} of pull would be needed, first at {contacts:8}{more}</source>

@@ -28,8 +28,6 @@ def test_a_sentence_names_what_its_figures_are():
     assert str(WEAK) == ("2 contact points push too weakly: less than f_min = 0.0625 N at T00002-T00004; the "
                          "weakest has -0.5 N at T00002-T00004")
     assert WEAK.tiles == (1, 3) and WEAK.group == "weak_points"
-    inner = Finding("recheck", WEAK.tiles, {"reason": WEAK})
-    assert str(inner) == f"on a membrane mesh of half the size: {WEAK}"
     both = Finding.about("tried.valid", sizes=tuple(
         Finding.about(kind, value=value) for kind, value in (("size.L", 9.0), ("size.H_body", 2.5))))
     assert str(both) == "tried L = 9 mm, H_body = 2.5 mm: valid"

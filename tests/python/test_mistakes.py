@@ -60,7 +60,7 @@ def test_what_nobody_thought_of_is_not_called_invalid(capsys, monkeypatch):
     assert "Traceback" in capsys.readouterr().err
 
 
-GOALS = ("figures", "deviation", "verification", "recheck", "suggestions")
+GOALS = ("figures", "deviation", "verification", "suggestions")
 
 
 @pytest.fixture
@@ -116,14 +116,6 @@ def test_a_failure_where_a_verdict_was_asked_for_is_an_error(project_of_cap, mon
         verify_design=raising(native.SolverFailure("no memory for the factor"))))
     with pytest.raises(CurveUpsError, match="no memory for the factor"):
         project_of_cap().run(("verification",), strict=True)
-
-
-def test_a_recheck_that_breaks_down_is_no_pass(project_of_cap, monkeypatch):
-    broken = raising(native.SolverFailure("no memory for the factor"), first=1)
-    monkeypatch.setattr(verification, "native", Replaced(verify_design=broken))
-    results = project_of_cap(run_mesh_refinement_check=True, repair=False).run(GOALS)
-    assert results.verdict.valid is False and not results["recheck"].ran
-    assert len(results.verdict.reasons) == 1 and "no memory" in str(results.verdict.reasons[0])
 
 
 @pytest.mark.parametrize("error, stopped", [(native.SolverFailure("no memory"), False),

@@ -19,7 +19,7 @@ from curveups.stages.design import design_digest
 from curveups.stages.stage import Job
 from curveups.stages.surface import find_source
 
-GOALS = ("figures", "deviation", "verification", "recheck", "bodies", "suggestions")
+GOALS = ("figures", "deviation", "verification", "bodies", "suggestions")
 
 
 def changed(parameters, **values):
@@ -130,7 +130,7 @@ def test_no_stage_reads_a_parameter_that_it_does_not_declare(project):
 
     def figures(name, parameters):
         inputs = projects.Inputs(parameters, {other: made[other] for other in stages[name].reads},
-                                 native.SolutionStore(), "cap")
+                                 "cap")
         found = stages[name].run(inputs, Job())
         if name == "bodies":
             return [tuple(found.model.bbox), dict(found.model.volumes), list(found.model.thinnest)]
@@ -159,7 +159,7 @@ def test_verification_reads_what_it_declares(project):
     given = {"design": projects.FinishedDesign(made.design)}
 
     def blocks(parameters):
-        found = stage.run(projects.Inputs(parameters, given, native.SolutionStore(), ""), Job())
+        found = stage.run(projects.Inputs(parameters, given, ""), Job())
         return str(found.report())
 
     expected = blocks(made.parameters)

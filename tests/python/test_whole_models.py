@@ -61,7 +61,6 @@ def test_a_model_that_is_held_is_valid(curveups, tmp_path, held):
     report = json.loads((tmp_path / "report.json").read_text(encoding="utf-8"))
     assert ran.status == 0 and report["valid"] is True, report["reasons"]
     assert report["unilateral"]["feasible_at_bump_tips"] is True
-    assert report["unilateral"]["largest_floor_at_bump_tips"] >= 0.99 * report["unilateral"]["floor"]
 
 
 @pytest.fixture(scope="module", params=SMALL)

@@ -2,7 +2,6 @@
 """What a verdict covers where no solids are built, and what is no pass."""
 
 import json
-from dataclasses import replace
 
 import numpy as np
 
@@ -10,7 +9,6 @@ from curveups.base.findings import Finding
 from curveups.base.native import native
 from curveups.project.project import Project
 from curveups.stages.clearances import Clearances
-from curveups.stages.verification import Recheck, Verification
 from curveups.project.verdict import judge
 
 
@@ -36,20 +34,6 @@ def test_what_a_verdict_does_not_cover_is_said(designed, printed):
     # The closed form is the one that the check of the solids reports.
     assert bare["clearances"]["min_flat_mm"] == whole["solids"]["min_clearance_flat_mm"] > 0
     assert whole["clearances"] == bare["clearances"]
-
-
-def test_a_recheck_that_breaks_down_is_no_pass():
-    sound = {"verification": Verification(valid=True), "clearances": Clearances(0.5, 0.0)}
-    assert judge(sound).valid is True
-    failure = Finding.about("verification_failed", error="no end")
-    broken = judge({**sound, "recheck": Recheck(failure=failure)})
-    assert broken.valid is False
-    assert "half the size: the design could not be verified: no end" in str(broken.reasons[0])
-    note = Finding.about("stopped", stage="recheck")
-    stopped = judge({**sound, "recheck": Recheck(note=note)})
-    assert stopped.valid is None and [str(one) for one in stopped.reasons] == ["stopped during recheck"]
-    unknown = judge({**sound, "clearances": replace(sound["clearances"], note=note)})
-    assert unknown.valid is None
 
 
 def test_a_reason_that_several_results_give_is_said_once():

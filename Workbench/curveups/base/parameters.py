@@ -14,7 +14,7 @@ from .errors import CurveUpsError
 from .native import native
 
 _FILE = Path(__file__).with_name("parameters.json")
-_SOLIDS, _PHYSICS = {"tiles", "bodies", "support"}, {"physics", "recheck", "settle"}
+_SOLIDS, _PHYSICS = {"tiles", "bodies", "support"}, {"physics", "settle"}
 
 
 @dataclass(frozen=True)

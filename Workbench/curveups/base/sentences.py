@@ -58,23 +58,17 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "tips_over": "the piece of {tile} tips over on the table: its weight acts beside the corners on which it "
                  "stands",
     "coarse_mesh": "f_min is the estimated error of the membrane mesh, which is more than f_min_ratio asks "
-                   "for: lower mesh_size",
-    "undecided": "the least force exceeds f_min = {f_min:.3g N} by less than its error at {contacts:8}: "
-                 "lower mesh_size to find out on which side it is",
-    "no_balance": "with a friction coefficient of {mu:.3g} no pushing forces balance the tiles: "
-                  "{pull:.3g N} of pull would be needed, first at {contacts:8}{more}",
-    "no_balance.tips": "with a friction coefficient of {mu:.3g} no pushing forces at bumps' tips balance "
-                       "the tiles: {pull:.3g N} of pull would be needed, first at {contacts:8}{more}",
+                   "for",
+    "undecided": "the least force exceeds f_min = {f_min:.3g N} by less than its error at {contacts:8}",
+    "no_balance": "with a friction coefficient of {mu:.3g} no pushing forces balance the tiles: {pull:.3g N} "
+                  "of pull would be needed, first at {contacts:8}{more}",
     "balance_unknown": "whether pushing forces within friction {mu:.3g} balance the tiles could not be "
                        "shown{more}",
-    "balance_unknown.tips": "whether pushing forces at bumps' tips within friction {mu:.3g} balance the "
-                            "tiles could not be shown{more}",
     "least_force": "pushing forces within friction {mu:.3g} leave a least normal force of {least:.3g N}, "
                    "less than f_min = {f_min:.3g N}, first at {contacts:8}{more}",
-    "least_force.tips": "pushing forces at bumps' tips within friction {mu:.3g} leave a least normal force "
-                        "of {least:.3g N}, less than f_min = {f_min:.3g N}, first at {contacts:8}{more}",
+    "least_force.tips": "with a friction coefficient of {mu:.3g} pushing forces are not known to reach f_min "
+                        "= {f_min:.3g N} where only bumps' tips touch",
     "dimples_stop": "; dimples stop what slides after {play:.3g mm} at most",
-    "hold_more": "; hold more tiles, or others (held_tiles)",
     "no_equilibrium": "the membranes' equilibrium was not reached (residual {residual:.3g})",
     "membrane.covers": ("two sides of a cut need the same place in the flat layout, where the sheet would "
                         "lie on itself between {contacts:8}", "leave out the cut there, or cut elsewhere"),
@@ -85,28 +79,12 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "membrane.slack": "the {side} membrane is slack beside {beside:8}",
     "sheet_tears": "more than 1 % of the membranes is stretched by {elongation:.3g} % or more, beyond "
                    "elongation_at_break ({limit:.3g} %): they tear; lower tau",
-    # Of documents that were saved before pins could let go.
-    "glue_shear": "the glue on the {side} pin of {tile} carries {shear:.3g MPa} of shear, more than "
-                  "glue_strength ({limit:.3g MPa}): raise A_pin_min or lower tau",
-    "glue_shear.holds": (
-        "the glue lets go of pins of {loose:8}: on the {side} pin of {tile} it "
-        "carries {shear:.3g MPa} of shear, more than it withstands ({limit:.3g MPa}). The piece "
-        "holds without them",
-        "take a stronger glue, raise A_pin_min or lower tau"),
-    "glue_shear.fails": (
-        "the glue lets go of pins of {loose:8}: on the {side} pin of {tile} it "
-        "carries {shear:.3g MPa} of shear, more than it withstands ({limit:.3g MPa}). The piece does "
-        "not hold without them: pushing forces leave {least:.3g N}, less than f_min = {f_min:.3g N}",
-        "take a stronger glue, raise A_pin_min or lower tau"),
-    "glue_shear.all": (
-        "the glue lets go of pins of {loose:8}: on the {side} pin of {tile} it "
-        "carries {shear:.3g MPa} of shear, more than it withstands ({limit:.3g MPa}). Too "
-        "few pins hold the membranes then",
-        "take a stronger glue, raise A_pin_min or lower tau"),
+    "glue_shear": ("the glue on pins of {overloaded:8} may let go: on the {side} pin of {tile} it carries "
+                   "{shear:.3g MPa} of shear, more than glue_strength ({limit:.3g MPa})",
+                   "take a stronger glue, raise A_pin_min or lower tau"),
     "not_laid_out": "{said}",
     "piece_weak": "piece {piece} by itself: a contact point of {contact} has {least:.3g N}, less than f_min "
                   "= {f_min:.3g N} of this piece",
-    "recheck": "on a membrane mesh of half the size: {reason}",
     # Settled forces.
     "settled_open": "the shape does not hold: the contacts {contacts:8} open as the tiles settle",
     "settled_drift": ("the shape does not hold: friction lets it drift by {drift:.3g mm}, more than "
@@ -339,8 +317,6 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "weak_contact": "contact {contact} has {share:.2f} of f_min: {why}",
     "weak_contact.friction": "contact {contact} keeps pushing forces within friction at {share:.2f} of "
                              "f_min: {why}",
-    "weak_contact.tips": "contact {contact} keeps pushing forces within friction at bumps' tips at "
-                         "{share:.2f} of f_min: {why}",
     "held_by": "held by the {obstacle} of {at}",
     "held_by_nothing": "no small change of layout, pins or vertices lifts it",
     "broken_down": "repair ended early: {said}",

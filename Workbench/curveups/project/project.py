@@ -108,7 +108,6 @@ class Project:
         self.name, self.where = name, where
         self._given = {key: Made(result) for key, result in given.items()}
         self._made: dict[str, Made] = dict(known or {})
-        self._store = native.SolutionStore()
         self._reading, self._working = threading.Lock(), threading.RLock()
         self._parameters = self._checked(parameters)
 
@@ -186,7 +185,7 @@ class Project:
         job = job or Job()
         with self._working:
             with self._reading:
-                run = _Run(self.name, self._parameters, dict(self._given), dict(self._made), self._store,
+                run = _Run(self.name, self._parameters, dict(self._given), dict(self._made),
                            self.where, job, strict, note)
             try:
                 for goal in goals:
@@ -219,9 +218,9 @@ class _Run:
     """One run: what it made is its own until it ends."""
 
     def __init__(self, name: str, parameters: Any, given: dict[str, Made], made: dict[str, Made],
-                 store: Any, where: str, job: Job, strict: bool, note: Optional[Finding]):
+                 where: str, job: Job, strict: bool, note: Optional[Finding]):
         self.name, self.parameters, self.given, self.before = name, parameters, given, made
-        self.store, self.where, self.job, self.strict = store, where, job, strict
+        self.where, self.job, self.strict = where, job, strict
         self.note = note
         self.made: dict[str, Made] = dict(given)
         self.records: dict[str, Record] = dict(_records(given))
@@ -244,7 +243,7 @@ class _Run:
 
     def _work(self, stage: Stage, key: Key) -> Made:
         inputs = Inputs(_decided(stage.reads, self.records, self.parameters),
-                        {name: self.made[name].result for name in stage.reads}, self.store, self.where)
+                        {name: self.made[name].result for name in stage.reads}, self.where)
         start = time.perf_counter()
         try:
             with translated(self.where):

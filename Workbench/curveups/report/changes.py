@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Shows in report.html what mending, feasibility smoothing, repair and the mesh refinement check did, and the
-contacts that are nearest to failing."""
+"""Shows in report.html what mending, feasibility smoothing and repair did, and the contacts that are nearest
+to failing."""
 
 from __future__ import annotations
 
@@ -18,11 +18,10 @@ def changes(report: Mapping[str, Any]) -> list[str]:
     parts: list[str] = []
     for heading, block, lines in (("Mending", "mending", _mending),
                                   ("Feasibility smoothing", "pin_smoothing", _pin_smoothing),
-                                  ("Repair", "repair", _repair),
-                                  ("Mesh refinement check", "recheck", _recheck)):
+                                  ("Repair", "repair", _repair)):
         if block in report:
             parts += [f"<h3>{heading}</h3>", *lines(report[block], report)]
-    return ["<h2>Changes and second verification</h2>", *parts] if parts else []
+    return ["<h2>Changes</h2>", *parts] if parts else []
 
 
 def worst_contacts(contacts: Sequence[Mapping[str, Any]], f_min: float) -> list[str]:
@@ -79,16 +78,6 @@ def _repair(block: Mapping[str, Any], report: Mapping[str, Any]) -> list[str]:
                            ("Contact that stays weak", "Why")))
         parts += _rest(len(block["blocked"]))
     return parts
-
-
-def _recheck(block: Mapping[str, Any], report: Mapping[str, Any]) -> list[str]:
-    text = ("On a membrane mesh of half the size the design is "
-            + ("valid too." if block["valid"] else "not valid: " + "; ".join(block["reasons"])))
-    rows = [(name.replace("_", " "), report["contact_forces"].get(name), block["contact_forces"].get(name))
-            for name in ("normal_min", "normal_mean", "friction_ratio_max")
-            if "contact_forces" in report and "contact_forces" in block]
-    heads = ("", "Verification", "Mesh refinement check")
-    return [f"<p>{escape(text)}</p>", *([table(rows, heads)] if rows else [])]
 
 
 def _moved(block: Mapping[str, Any]) -> str:

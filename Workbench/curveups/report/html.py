@@ -177,8 +177,7 @@ def list_of(lines: Iterable[object], kind: str = "ol") -> str:
 
 
 # Units that names of figures do not end in.
-_FORCES = ("normal_mean", "normal_min", "f_min", "floor", "largest_floor", "mean_tile_force",
-           "largest_floor_at_bump_tips")
+_FORCES = ("normal_mean", "normal_min", "f_min", "floor", "largest_floor", "mean_tile_force")
 _UNITS = {"mm": "mm", "mm2": "mm²", "mm3": "mm³", "cm2": "cm²", "cm3": "cm³"}
 
 

@@ -8,7 +8,7 @@ from . import (actuation, actuation_help, anchoring, clearances, cuts, design, d
 STAGES = (surface.STAGE, target.STAGE, target_smoothing.STAGE, division.STAGE, feasibility.STAGE,
           sizes.STAGE, cuts.STAGE, suggestions.SEARCH, pin_smoothing.STAGE, layout.STAGE,
           verification.OF_LAYOUT, repair.STAGE, design.STAGE, design.FIGURES, deviation.STAGE,
-          clearances.STAGE, verification.STAGE, verification.RECHECK, pieces.STAGE, anchoring.STAGE,
+          clearances.STAGE, verification.STAGE, pieces.STAGE, anchoring.STAGE,
           solids.BODIES, sheets.STAGE, solids.STAGE, settle.STAGE, actuation.START, actuation.STAGE,
           actuation_help.STAGE, solids.CHECK, suggestions.STAGE)
 

@@ -236,14 +236,11 @@ def _tiles(pairs: Sequence[Sequence[int]]) -> list[int]:
 def _run(inputs: Inputs, job: Job) -> Actuation:
     start = inputs[START.name]
     design = inputs["design"].design.with_parameters(inputs.parameters)
-    try:
-        with translated(inputs.where if start.poses is None else start.begin):
-            memory = start.memory if start.of == path_digest(design) else None
-            pressed = {"press": start.press, "force": start.force} if start.of == tiles_digest(design) else {}
-            found = native.actuate_design(design, inputs.store, job, start.poses, memory, hands=start.hands,
-                                          release=start.release, **pressed)
-    finally:
-        inputs.store.clear()
+    with translated(inputs.where if start.poses is None else start.begin):
+        memory = start.memory if start.of == path_digest(design) else None
+        pressed = {"press": start.press, "force": start.force} if start.of == tiles_digest(design) else {}
+        found = native.actuate_design(design, job, start.poses, memory, hands=start.hands,
+                                      release=start.release, **pressed)
     frames = np.stack([*found.frames, *found.hand_frames])
     steps = np.maximum(np.abs(frames).max((0, 1)), 1e-9) / np.iinfo(np.int32).max
     from_file = start.poses is not None and start.begin != "target"

@@ -66,7 +66,7 @@ def mostly_short(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: An
 
 
 def _asked(parameters: Any) -> bool:
-    return bool(parameters.get("run_repair") and parameters.get("move_vertices"))
+    return bool(parameters.get("run_repair"))
 
 
 def _run(inputs: Inputs, job: Job) -> PinSmoothing:

@@ -12,6 +12,7 @@ from ..base.native import native
 from .advice import against
 from .design import design_digest
 from .stage import Inputs, Job, Result, Row, Stage, moved_vertices
+from .verification import verification_of
 
 
 @dataclass(frozen=True)
@@ -19,7 +20,7 @@ class Repair(Result):
     """The design as it is after repair: the layout's own where none was needed."""
 
     design: Any
-    verification: Optional[Result] = None     # of the design, where it is the layout's own
+    verification: Optional[Result] = None     # of the design, where it is known
     status: str = ""                          # empty where repair did not run
     block: Optional[dict] = None              # of report.json
     blocked: tuple[dict, ...] = ()            # contacts that stay weak: reason, obstacle
@@ -50,11 +51,10 @@ class Repair(Result):
 def _run(inputs: Inputs, job: Job) -> Repair:
     before, verified = inputs["layout"].design, inputs["verification of the layout"]
     known = verified.verification
-    if (known.valid and not known.overloaded) or known.note or known.failure \
-            or not inputs.parameters.get("run_repair"):
+    if known.valid or known.note or known.failure or not inputs.parameters.get("run_repair"):
         return Repair(before, verified.verdict)
     design = before.with_parameters(inputs.parameters)
-    found = native.repair_design(design, inputs.store, job, job.listener("repair"))
+    found = native.repair_design(design, job, job.listener("repair"))
     changed = design_digest(found.design) != design_digest(design)
     blocked: tuple[dict[str, Any], ...] = tuple(
         {"tiles": list(contact.tiles), "reason": Finding.of(contact.reason), "obstacle": contact.obstacle}
@@ -74,8 +74,10 @@ def _run(inputs: Inputs, job: Job) -> Repair:
         "cuts": list(map(str, all_of(found.cuts))),
         "suggestions": list(map(str, suggestions)), "mended": mended,
         "moved_vertices": moved_vertices(before.V, found.design.V, before.F)}
-    return Repair(found.design if changed else before, None if changed else verified.verdict, found.status,
-                  block, blocked, suggestions)
+    verdict = verified.verdict
+    if changed:
+        verdict = verification_of(found.verification, found.design) if found.verification else None
+    return Repair(found.design if changed else before, verdict, found.status, block, blocked, suggestions)
 
 
 def _failed(error: CurveUpsError, inputs: Inputs) -> Repair:

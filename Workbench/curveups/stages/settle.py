@@ -89,11 +89,9 @@ def _run(inputs: Inputs, job: Job) -> Settled:
     try:
         design = inputs["design"].design.with_parameters(values)
         with translated(inputs.where):
-            found = native.settle_design(design, inputs.store, job)
+            found = native.settle_design(design, job)
     except CurveUpsError as error:  # however strict the run is: the verdict is known without
         return _failed(error, inputs)
-    finally:
-        inputs.store.clear()
     margin, failure = found.margin, _finding(found.failure)
     beyond = [Finding.about("margin", one.tiles, side=side, percent=margin.mismatch,
                             mu=margin.friction_coefficient, reason=Finding.of(one))

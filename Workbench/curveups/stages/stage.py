@@ -134,7 +134,6 @@ class Inputs:
 
     parameters: Any
     results: Mapping[str, Result]
-    store: Any = None  # native SolutionStore: what is solved of a design, for the next who needs it
     where: str = ""    # names the target or file in messages
 
     def __getitem__(self, name: str) -> Any:

@@ -11,7 +11,6 @@ import numpy as np
 from ..base.errors import CurveUpsError
 from ..base.findings import Finding, all_of, failed
 from ..base.native import native
-from ..base.parameters import with_values
 from .stage import Inputs, Job, Picture, Result, Row, Stage
 
 BLOCKS = ("physics", "contact_forces", "unilateral", "glue")
@@ -37,11 +36,6 @@ class Verification(Result):
     def judged(self) -> bool:
         """Whether there is a verdict."""
         return not self.note
-
-    @property
-    def overloaded(self) -> bool:
-        """Whether some pins carry more than their glue withstands."""
-        return "loose" in self.blocks.get("glue", {})
 
     @property
     def weak_contacts(self) -> list[tuple[int, int]]:
@@ -105,9 +99,13 @@ class Verification(Result):
             "stretch", {"membranes": self.membranes}),)
 
 
-def verify(design: Any, job: Job, store: Any = None, weak_is_enough: bool = False) -> Verification:
+def verify(design: Any, job: Job, weak_is_enough: bool = False) -> Verification:
     """Runs the model on a native Design; `weak_is_enough`: for repair, which asks for no more."""
-    found = native.verify_design(design, store, job, weak_is_enough)
+    return verification_of(native.verify_design(design, job, weak_is_enough), design)
+
+
+def verification_of(found: Any, design: Any) -> Verification:
+    """A native VerificationReport of a native Design."""
     names = ("contact_tiles", "contact_normal_min", "contact_normal_mean", "contact_friction_ratio",
              "tile_normal_force")
     sides = tuple({name: np.asarray(getattr(side, name)) for name in SIDE_ARRAYS}
@@ -120,7 +118,7 @@ def verify(design: Any, job: Job, store: Any = None, weak_is_enough: bool = Fals
 def _verify(design: Any, inputs: Inputs, job: Job, weak_is_enough: bool = False) -> Verification:
     if not inputs.parameters.get("run_verification"):
         return Verification(note=Finding("unverified.off"))
-    return verify(design.with_parameters(inputs.parameters), job, inputs.store, weak_is_enough)
+    return verify(design.with_parameters(inputs.parameters), job, weak_is_enough)
 
 
 @dataclass(frozen=True)
@@ -139,18 +137,12 @@ class LayoutVerification(Result):
 
 
 def _verify_layout(inputs: Inputs, job: Job) -> LayoutVerification:
-    found = _verify(inputs["layout"].design, inputs, job, weak_is_enough=True)
-    if found.valid and not found.overloaded:
-        inputs.store.clear()  # otherwise repair starts from it
-    return LayoutVerification(found)
+    return LayoutVerification(_verify(inputs["layout"].design, inputs, job, weak_is_enough=True))
 
 
 def _verify_design(inputs: Inputs, job: Job) -> Verification:
     finished = inputs["design"]
-    found = finished.verification or _verify(finished.design, inputs, job)
-    if not inputs.parameters.get("run_settling"):  # otherwise the tiles settle by it
-        inputs.store.clear()
-    return found
+    return finished.verification or _verify(finished.design, inputs, job)
 
 
 def _failed(error: CurveUpsError, inputs: Inputs) -> Verification:
@@ -169,42 +161,3 @@ OF_LAYOUT = Stage("verification of the layout", ("layout",), PARTS, _verify_layo
                   label="Verification of the layout", asked_by=("solve",), shown=True)
 STAGE = Stage("verification", ("design",), PARTS, _verify_design, _failed, _stopped,
               label="Verification", asked_by=("solve", "verify"), judges=True, shown=True)
-
-
-@dataclass(frozen=True)
-class Recheck(Result):
-    """The verdict on a membrane mesh of half the size, where that was asked for."""
-
-    verification: Verification = Verification()
-    ran: bool = False
-    failure: Optional[Finding] = None  # why it could not be had though it was wanted: that is no pass
-    note: Optional[Finding] = None     # why it was not had
-
-    def report(self) -> dict[str, Any]:
-        found = self.verification
-        block = {"valid": found.valid, "reasons": list(map(str, found.found)), **found.report()}
-        return {"recheck": block} if self.ran else {}
-
-    def reasons(self) -> Sequence[Finding]:
-        found = (self.failure,) if self.failure else self.verification.found
-        return [Finding("recheck", reason.tiles, {"reason": reason}) for reason in found]
-
-    def rows(self, seconds: float) -> Sequence[Row]:
-        return (Row("recheck", seconds),) if self.ran else ()
-
-
-def _recheck(inputs: Inputs, job: Job) -> Recheck:
-    if not inputs.parameters.get("run_mesh_refinement_check") or not inputs["verification"].valid:
-        return Recheck()
-    finer = with_values(inputs.parameters,
-                        {"mesh_size": max(0.05, 0.5 * inputs.parameters.get("mesh_size"))})
-    return Recheck(verify(inputs["design"].design.with_parameters(finer), job), ran=True)
-
-
-def _recheck_failed(error: CurveUpsError, inputs: Inputs) -> Recheck:
-    return Recheck(failure=failed("verification_failed", error))
-
-
-RECHECK = Stage("recheck", ("design", "verification"), PARTS | {"recheck"}, _recheck, _recheck_failed,
-                lambda stage, inputs: Recheck(note=Finding.about("stopped", stage=stage)),
-                label="Verification on a finer mesh", asked_by=("solve", "verify"), judges=True)

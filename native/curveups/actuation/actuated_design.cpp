@@ -297,8 +297,8 @@ class Actuation {
 
 }  // namespace
 
-ActuatedDesign actuate_design(const Design& design, SolutionStore* store,
-                              const ActuationOptions& options, const Progress& progress) {
+ActuatedDesign actuate_design(const Design& design, const ActuationOptions& options,
+                              const Progress& progress) {
   if (design.parameters.gravity == "held") {
     throw InvalidInput("gravity=held holds tiles where they are when actuated",
                        "set gravity to off or resting: a piece that rises is held nowhere");
@@ -310,10 +310,8 @@ ActuatedDesign actuate_design(const Design& design, SolutionStore* store,
   }
   const ProgressScope scope(progress);
   const TileBodies bodies = make_tile_bodies(design);
-  SolvedDesign solved = take_or_solve(store, bodies.geometry, design, progress);
-  ActuatedDesign out = Actuation(design, bodies, solved, options).run();
-  if (store) store->put(std::move(solved));
-  return out;
+  SolvedDesign solved = solve_design(bodies.geometry, design, progress);
+  return Actuation(design, bodies, solved, options).run();
 }
 
 }  // namespace curveups

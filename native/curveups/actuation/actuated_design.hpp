@@ -72,12 +72,12 @@ struct ActuatedDesign {
   }
 };
 
-// store: as verify_design has it. Stopped while tiles move, it returns the path so far, without
+// Stopped while tiles move, it returns the path so far, without
 // answers; before that it throws Cancelled. Throws InvalidInput for gravity=held (a piece that
 // rises is held nowhere), for a memory that is not of `start`, for a release that can't be and for
 // a touch without hands or not from flat, and what check_touch, frame_poses, unpacked,
-// make_tile_bodies, take_or_solve, make_tile_world and Surplus throw.
-ActuatedDesign actuate_design(const Design& design, SolutionStore* store,
-                              const ActuationOptions& options, const Progress& progress);
+// make_tile_bodies, solve_design, make_tile_world and Surplus throw.
+ActuatedDesign actuate_design(const Design& design, const ActuationOptions& options,
+                              const Progress& progress);
 
 }  // namespace curveups

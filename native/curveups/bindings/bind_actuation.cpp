@@ -157,7 +157,7 @@ void bind_actuation(py::module_& module) {
                     "Mean distance of each tile from the design's surface there, mm.");
   module.def(
       "actuate_design",
-      [](const Design& design, SolutionStore* store, py::object progress,
+      [](const Design& design, py::object progress,
          std::optional<FrameRows> begin, std::optional<Eigen::VectorXd> memory, bool answers,
          bool hands, const std::string& release, std::vector<int> press,
          std::optional<double> force) {
@@ -169,15 +169,15 @@ void bind_actuation(py::module_& module) {
         options.memory = std::move(memory);
         options.answers = answers;
         return without_gil(std::move(progress), [&](const Progress& sink) {
-          return actuate_design(design, store, options, sink);
+          return actuate_design(design, options, sink);
         });
       },
-      py::arg("design"), py::arg("store") = py::none(), py::arg("progress") = py::none(),
+      py::arg("design"), py::arg("progress") = py::none(),
       py::arg("begin") = py::none(), py::arg("memory") = py::none(), py::arg("answers") = true,
       py::arg("hands") = true, py::arg("release") = "cut", py::arg("press") = std::vector<int>(),
       py::arg("force") = py::none(),
-      "Lets a piece rise from flat, or from a frame of an earlier path. store: as in "
-      "verify_design. memory: of a path that came by `begin`. answers: whether it is asked at "
+      "Lets a piece rise from flat, or from a frame of an earlier path. "
+      "memory: of a path that came by `begin`. answers: whether it is asked at "
       "which friction it arrives, and whether it could come to rest elsewhere; a path from a "
       "frame has none of these. hands: with the "
       "answers, what brings it home by hand where it does not arrive. release: how hands release "

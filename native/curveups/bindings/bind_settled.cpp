@@ -76,14 +76,14 @@ void bind_settled(py::module_& module) {
       .def_readonly("factorizations", &SettledDesign::factorizations);
   module.def(
       "settle_design",
-      [](const Design& design, SolutionStore* store, py::object progress) {
+      [](const Design& design, py::object progress) {
         return without_gil(std::move(progress), [&](const Progress& sink) {
-          return settle_design(design, store, sink);
+          return settle_design(design, sink);
         });
       },
-      py::arg("design"), py::arg("store") = py::none(), py::arg("progress") = py::none(),
+      py::arg("design"), py::arg("progress") = py::none(),
       "Lets the tiles of a design settle from where they stand when actuated, under its "
-      "parameters. store: as in verify_design.");
+      "parameters.");
 }
 
 }  // namespace curveups::bindings

@@ -66,18 +66,12 @@ py::dict unilateral_block(const UnilateralFigures& f) {
   out["floor"] = f.floor;
   out["largest_floor"] = f.largest_floor;
   out["status"] = status_name(f.status);
-  if (f.tips_status) {
-    out["feasible_at_bump_tips"] = f.feasible_at_tips;
-    out["status_at_bump_tips"] = status_name(*f.tips_status);
-    out["largest_floor_at_bump_tips"] = f.tips_largest_floor;
-  } else {
-    out["feasible_at_bump_tips"] = py::none();
-  }
+  out["feasible_at_bump_tips"] = f.feasible_at_tips;
   if (f.sliding_play) out["sliding_play_mm"] = *f.sliding_play;
   return out;
 }
 
-py::dict glue_block(const LargestGlueLoads& glue, const Loosening& loosening) {
+py::dict glue_block(const LargestGlueLoads& glue) {
   py::dict out;
   auto where = [&](const char* name, const GlueLoad& load) {
     py::dict place;
@@ -90,15 +84,6 @@ py::dict glue_block(const LargestGlueLoads& glue, const Loosening& loosening) {
   where("shear_at", glue.shear);
   out["peel_max_n_per_mm"] = glue.peel.peel;
   where("peel_at", glue.peel);
-  if (loosening.rounds > 0) {
-    py::dict loose;
-    loose["front"] = loosening.pins[0];
-    loose["back"] = loosening.pins[1];
-    loose["holds"] = loosening.holds;
-    loose["largest_floor"] = loosening.largest_floor;
-    loose["f_min"] = loosening.f_min;
-    out["loose"] = loose;
-  }
   return out;
 }
 
@@ -108,7 +93,7 @@ py::dict blocks(const VerificationReport& report) {
   out["physics"] = physics_block(report.physics);
   out["contact_forces"] = contact_block(report.contact_forces);
   if (report.complete) out["unilateral"] = unilateral_block(report.unilateral);
-  out["glue"] = glue_block(report.glue, report.loosening);
+  out["glue"] = glue_block(report.glue);
   return out;
 }
 
@@ -120,12 +105,6 @@ auto array(Member VerificationReport::*member) {
 }  // namespace
 
 void bind_verification(py::module_& module) {
-  py::class_<SolutionStore>(module, "SolutionStore",
-                            "Membranes and forces of one design at most, for whoever solves it "
-                            "next. Served once, and only to the very design they belong to.")
-      .def(py::init<>())
-      .def("clear", &SolutionStore::clear, "Gives their memory back.");
-
   py::class_<MembranePicture>(module, "MembranePicture", "One membrane's mesh, for pictures.")
       .def_readonly("flat", &MembranePicture::flat, "N x 2, mm, in the layout.")
       .def_readonly("actuated", &MembranePicture::actuated, "N x 3, mm.")
@@ -157,16 +136,14 @@ void bind_verification(py::module_& module) {
       "N/mm along the rim of each sheet, front and back, stretched by tau in both directions.");
   module.def(
       "verify_design",
-      [](const Design& design, SolutionStore* store, py::object progress, bool weak_is_enough) {
+      [](const Design& design, py::object progress, bool weak_is_enough) {
         return without_gil(std::move(progress), [&](const Progress& sink) {
-          return verify_design(design, store, sink, {weak_is_enough});
+          return verify_design(design, sink, {weak_is_enough});
         });
       },
-      py::arg("design"), py::arg("store") = py::none(), py::arg("progress") = py::none(),
-      py::arg("weak_is_enough") = false,
-      "Membranes, contact forces and verdict. store: a SolutionStore that is asked for what is "
-      "solved of the design already, and left with it. weak_is_enough: without a verdict where "
-      "points push too weakly or glue is overloaded (complete is False).");
+      py::arg("design"), py::arg("progress") = py::none(), py::arg("weak_is_enough") = false,
+      "Membranes, contact forces and verdict. weak_is_enough: without a verdict where points push "
+      "too weakly (complete is False).");
 
   py::class_<RepairStep>(module, "RepairStep", "One step of a repair and what it left.")
       .def_readonly("weak_points", &RepairStep::weak_points)
@@ -197,23 +174,23 @@ void bind_verification(py::module_& module) {
       .def_readonly("cuts", &RepairResult::cuts,
                     "Where either membrane cuts deepest into a body, as verification's reasons.")
       .def_readonly("breakdown", &RepairResult::breakdown,
-                    "Why it ended early; empty where it did not.");
+                    "Why it ended early; empty where it did not.")
+      .def_readonly("verification", &RepairResult::verification, "Of a valid result; or None.");
   module.def(
       "repair_design",
-      [](const Design& design, SolutionStore* store, py::object progress, py::object on_step) {
+      [](const Design& design, py::object progress, py::object on_step) {
         PythonListener listener(std::move(on_step));
         const PythonListener::Function function = listener.function();
         RepairResult result = without_gil(std::move(progress), [&](const Progress& sink) {
-          return repair_design(design, store, sink, function);
+          return repair_design(design, sink, function);
         });
         listener.rethrow();
         return result;
       },
-      py::arg("design"), py::arg("store") = py::none(), py::arg("progress") = py::none(),
-      py::arg("on_step") = py::none(),
+      py::arg("design"), py::arg("progress") = py::none(), py::arg("on_step") = py::none(),
       "Lifts contact forces above f_min by the least steps of poses, pins and, where these do not "
-      "do, vertices. store: as in verify_design; a valid result leaves what was solved of it. "
-      "on_step(T, q, weak_points) gets every step and stops the work by returning False.");
+      "do, vertices. on_step(T, q, weak_points) gets every step and stops the work by returning "
+      "False.");
 }
 
 }  // namespace curveups::bindings

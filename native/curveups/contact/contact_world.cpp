@@ -45,7 +45,7 @@ void ContactWorld::make_pattern() {
     unknowns.push_back(body.is_point() ? 3 : 6);
   }
   hessian_ = std::make_unique<BlockMatrix<6>>(
-      std::make_shared<const BlockPattern>(free, couplings, places_), unknowns);
+      std::make_shared<const BlockPattern>(free, couplings), unknowns);
   given_at_.clear();
   joined_to_.clear();
 }

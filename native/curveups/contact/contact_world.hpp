@@ -111,7 +111,7 @@ class ContactWorld {
     State state;
     double convex = 1;
     std::vector<std::array<int, 2>> coupled;
-    Places places;  // none before the first step
+    Eigen::MatrixXd places;  // none before the first step
   };
   PathState path_state() const { return {state(), convex_, contacts_.coupled, places_}; }
   // After begin_path: the path goes on as it would have.
@@ -153,7 +153,7 @@ class ContactWorld {
   std::vector<std::unique_ptr<MotionEnergy>> energies_;
   ContactEnergy contacts_;
   std::vector<int> first_;  // couplings of the energies, then those of contacts
-  Places places_;           // of the bodies when the pattern was made
+  Eigen::MatrixXd places_;          // of the bodies when the pattern was made
   std::unique_ptr<BlockMatrix<6>> hessian_;
   std::vector<std::vector<int>> joined_to_;  // each body, by this pattern; once asked for
   // Second derivatives of the given energies, where bodies were at these poses.

@@ -45,10 +45,10 @@ void describe(const Settling& settling, const TileMesh& tiles, const Design& des
 
 }  // namespace
 
-SettledDesign settle_design(const Design& design, SolutionStore* store, const Progress& progress) {
+SettledDesign settle_design(const Design& design, const Progress& progress) {
   const ProgressScope scope(progress);
   const TileBodies bodies = make_tile_bodies(design);
-  SolvedDesign solved = take_or_solve(store, bodies.geometry, design, progress);
+  SolvedDesign solved = solve_design(bodies.geometry, design, progress);
   checkpoint("settle", 0);
   Settling settling(design, bodies, solved);
   settling.settle({}, design.parameters.friction_coefficient, &solved);

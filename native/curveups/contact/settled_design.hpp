@@ -41,8 +41,7 @@ struct SettledDesign {
   Eigen::Matrix<double, Eigen::Dynamic, 7, Eigen::RowMajor> poses;
 };
 
-// Under the design's parameters. store: asked for what verification has solved; or null. Throws
-// what make_tile_bodies and take_or_solve throw, Cancelled.
-SettledDesign settle_design(const Design& design, SolutionStore* store, const Progress& progress);
+// Under the design's parameters. Throws what make_tile_bodies and solve_design throw, Cancelled.
+SettledDesign settle_design(const Design& design, const Progress& progress);
 
 }  // namespace curveups

@@ -126,17 +126,13 @@ std::vector<ParameterInfo> make_table() {
      "where they stretch further.",
      keeps_layout, physics, &P::elongation_at_break, 1, 5000},
     {"glue_strength", "MPa", "Physics",
-     "Shear stress that the glue between membranes and print withstands. Repair enlarges pins "
-     "that carry more. Pins without room for that let go, and the verdict looks at what is left.",
+     "Shear stress that the glue between membranes and print withstands. A warning names pins "
+     "that carry more. The verdict does not depend on it.",
      keeps_layout, physics, &P::glue_strength, 1e-3, 100},
     {"membrane_model", "", "Physics",
      "Choose the energy of the membranes: tension-field (neo-Hookean; they wrinkle where "
      "squeezed), mooney-rivlin (stiffer at large stretch; they wrinkle, too) or plain neo-hookean.",
      keeps_layout, physics, &P::membrane_model, 0, 0, {CURVEUPS_MEMBRANE_MODELS(CURVEUPS_CHOICE)}},
-    {"mesh_size", "", "Physics",
-     "Size of the largest triangles of the coarser membrane mesh, as a fraction of L. Those "
-     "of the finer mesh have half of it.",
-     keeps_layout, physics, &P::mesh_size, 0.05, 2},
     {"friction_coefficient", "", "Physics",
      "Coefficient of Coulomb friction between tiles, also at bumps.",
      basic | keeps_layout, physics, &P::friction_coefficient, 0.01, 10},
@@ -178,19 +174,12 @@ std::vector<ParameterInfo> make_table() {
     {"gravity_direction", "", "Physics",
      "Direction of gravity as x,y,z in the coordinates of the target. Its length has no effect.",
      keeps_layout, physics, &P::gravity_direction, -1, 1, {}, "direction"},
-    {"move_vertices", "", "Repair",
-     "Let repair move vertices of the actuated surface slightly where poses and pins alone "
-     "don't suffice.",
-     0, reader::repair, &P::move_vertices},
     {"run_verification", "", "Stages",
      "Compute membranes and contact forces, and decide whether the design is valid.",
      0, physics, &P::run_verification},
     {"run_repair", "", "Stages",
      "Give pins more space before the layout, and repair weak contacts after verification.",
      0, reader::repair, &P::run_repair},
-    {"run_mesh_refinement_check", "", "Stages",
-     "Verify a second time on membrane meshes of half the size (mesh refinement check).",
-     0, reader::recheck, &P::run_mesh_refinement_check},
     {"run_settling", "", "Stages",
      "Let the tiles settle under their membranes, with friction, and report whether the shape "
      "holds.",

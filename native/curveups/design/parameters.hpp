@@ -59,7 +59,6 @@ struct Parameters {
   double elongation_at_break = 600.0;
   double glue_strength = 0.7;
   std::string membrane_model = "tension-field";
-  double mesh_size = 0.65;
   double friction_coefficient = 0.5;
   double tile_modulus = 2000.0;
   double hold_tolerance = 0.0;
@@ -70,15 +69,15 @@ struct Parameters {
   std::string held_tiles;  // as listed_tiles reads them
   double density = 1.18;
   std::string gravity_direction = "0,0,-1";  // as direction_of reads it
-  // Repair
-  bool move_vertices = true;
   // Stages
   bool run_verification = true;
   bool run_repair = true;
-  bool run_mesh_refinement_check = false;
   bool run_settling = true;
   std::string margin = "aim";
   bool window = false;
+  // No row of the table: largest triangles of the coarser membrane mesh as a fraction of L (tests
+  // take coarser ones). Those of the finer mesh have half of it.
+  double mesh_size = 0.65;
 };
 
 // Parts of the engine that read a parameter, as a set of flags: what they made of another value is
@@ -93,15 +92,14 @@ enum Part : unsigned {
   support = 16,
   physics = 32,
   repair = 64,
-  recheck = 128,
-  files = 256,
-  check = 512,
-  pieces = 1024,
-  settle = 2048
+  files = 128,
+  check = 256,
+  pieces = 512,
+  settle = 1024
 };
-inline constexpr std::array<std::string_view, 12> names = {
-    "target", "tiles",   "layout", "bodies", "support", "physics",
-    "repair", "recheck", "files",  "check",  "pieces",  "settle"};
+inline constexpr std::array<std::string_view, 11> names = {"target",  "tiles",   "layout", "bodies",
+                                                           "support", "physics", "repair", "files",
+                                                           "check",   "pieces",  "settle"};
 }  // namespace reader
 
 // What a row says of its parameter besides; the stages' switches have none.

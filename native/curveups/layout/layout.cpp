@@ -54,7 +54,7 @@ LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& para
   LayoutTerms energies = make_energies(model);
   InteriorPoint method(
       {std::make_move_iterator(energies.begin()), std::make_move_iterator(energies.end())},
-      make_constraints(model), inset_bounds(model), state.leftCols<2>());
+      make_constraints(model), inset_bounds(model));
   const LayoutTerms terms = make_energies(model);  // for those who listen
   LayoutResult result;
   const bool draft = effort == LayoutEffort::draft;

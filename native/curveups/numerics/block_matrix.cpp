@@ -29,25 +29,17 @@ Above neighbours_above(const std::vector<int>& number, int count,
 
 }  // namespace
 
-BlockPattern::BlockPattern(const std::vector<char>& free, const std::vector<Coupling>& couplings,
-                           const Places& places)
+BlockPattern::BlockPattern(const std::vector<char>& free, const std::vector<Coupling>& couplings)
     : rank_(free.size(), -1), start_(1, 0) {
   int count = 0;
   for (std::size_t i = 0; i < free.size(); ++i) {
     if (free[i]) rank_[i] = count++;
   }
-  {
-    Places of_free(places.rows() > 0 ? count : 0, places.cols());
-    for (Eigen::Index i = 0; i < places.rows(); ++i) {
-      if (free[i]) of_free.row(rank_[i]) = places.row(i);
-    }
-    const std::vector<int> order =
-        elimination_order(neighbours_above(rank_, count, couplings), of_free);
-    std::vector<int> place(count);
-    for (int k = 0; k < count; ++k) place[order[k]] = k;
-    for (int& rank : rank_) {
-      if (rank >= 0) rank = place[rank];
-    }
+  const std::vector<int> order = elimination_order(neighbours_above(rank_, count, couplings));
+  std::vector<int> place(count);
+  for (int k = 0; k < count; ++k) place[order[k]] = k;
+  for (int& rank : rank_) {
+    if (rank >= 0) rank = place[rank];
   }
   for (const std::vector<int>& list : neighbours_above(rank_, count, couplings)) {
     below_.insert(below_.end(), list.begin(), list.end());

@@ -28,8 +28,7 @@ struct BlockSlot {
 class BlockPattern {
  public:
   // free: per block whether it is unknown; the others have no rows.
-  BlockPattern(const std::vector<char>& free, const std::vector<Coupling>& couplings,
-               const Places& places = {});
+  BlockPattern(const std::vector<char>& free, const std::vector<Coupling>& couplings);
 
   int block_count() const { return static_cast<int>(rank_.size()); }
   int free_count() const { return static_cast<int>(start_.size()) - 1; }

@@ -16,9 +16,6 @@ constexpr double barrier_accuracy = 10;  // optimality error, in units of mu, be
 // iterations.
 constexpr double gradient_accuracy = 1e-3;
 constexpr double last_level = 3;    // in units of mu_end: no level is worth its steps below that
-constexpr double short_step = 0.9;  // below that a corrector is tried,
-constexpr double reach = 0.3;       // one that could make the step so much longer,
-constexpr double spread = 10;       // with products within this factor of mu
 constexpr int max_halvings = 12;
 
 // Shortens a step so that value + length change stays a share of the way from zero.
@@ -46,7 +43,7 @@ struct InteriorPoint::Linearization {
 
   // kept: memory of another linearization, for the values.
   Linearization(int blocks, const Terms<9>& energies, const Constraints& constraints,
-                const Places& places, Values kept)
+                Values kept)
       : values(std::move(kept)) {
     values.resize(constraints.size());
     std::vector<Coupling> couplings;
@@ -60,7 +57,7 @@ struct InteriorPoint::Linearization {
       values[c].resize(constraints[c]->element_count());
     }
     const auto pattern =
-        std::make_shared<const BlockPattern>(std::vector<char>(blocks, 1), couplings, places);
+        std::make_shared<const BlockPattern>(std::vector<char>(blocks, 1), couplings);
     matrix = std::make_unique<BlockMatrix<9>>(pattern);
     constraint_matrix = std::make_unique<BlockMatrix<9>>(pattern);
     gradient.resize(blocks, Residuals::width);
@@ -184,21 +181,21 @@ void InteriorPoint::linearize_bounds(const Vector& z, Linearization& at) const {
   }
 }
 
-InteriorPoint::Vector InteriorPoint::right_side(const Vector& z, const Products& goal,
+InteriorPoint::Vector InteriorPoint::right_side(const Vector& z, double mu,
                                                 const Linearization& at) const {
   Vector right = -at.gradient;
   for (std::size_t c = 0; c < constraints_.size(); ++c) {
     for (int e = 0; e < constraints_[c]->element_count(); ++e) {
       const auto& value = at.values[c][e];
       const double s = slack_[c](e),
-                   pull = (goal.constraint[c](e) - multiplier_[c](e) * (value.value(0) - s)) / s;
+                   pull = (mu - multiplier_[c](e) * (value.value(0) - s)) / s;
       constraints_[c]->add_row(e, value, 0, pull, right);
     }
   }
   for (std::size_t k = 0; k < bounds_.size(); ++k) {
     const auto& [block, unknown, lower, upper] = bounds_[k];
     const double value = z(block, unknown);
-    right(block, unknown) += goal.lower(k) / (value - lower) - goal.upper(k) / (upper - value);
+    right(block, unknown) += mu / (value - lower) - mu / (upper - value);
   }
   return right;
 }
@@ -211,41 +208,22 @@ bool InteriorPoint::solve_step(const Vector& z, double mu, Linearization& at, do
     if (!factorized) damping = std::max(1e-6, 10 * damping);
   }
   if (!factorized) return false;
-  Products goal;
-  for (const Eigen::VectorXd& s : slack_) {
-    goal.constraint.push_back(Eigen::VectorXd::Constant(s.size(), mu));
-  }
-  goal.lower = goal.upper = Eigen::VectorXd::Constant(lower_multiplier_.size(), mu);
-  step = step_towards(z, mu, goal, at);
-  if (std::min(step.primal_length, step.dual_length) < short_step) {
-    Step corrected = step_towards(z, mu, centred(z, mu, step), at);
-    const double gain = std::min(corrected.primal_length - step.primal_length,
-                                 corrected.dual_length - step.dual_length);
-    if (gain > 0 && corrected.decrease <= std::max(0.0, step.decrease)) step = std::move(corrected);
-  }
-  return true;
-}
-
-InteriorPoint::Step InteriorPoint::step_towards(const Vector& z, double mu, const Products& goal,
-                                                const Linearization& at) const {
-  const Vector right = right_side(z, goal, at);
+  const Vector right = right_side(z, mu, at);
   const Eigen::MatrixXd solution =
       at.matrix->solve(Eigen::Map<const Eigen::VectorXd>(right.data(), right.size()));
-  Step step;
   step.z = Eigen::Map<const Vector>(solution.data(), right.rows(), Residuals::width);
   step.primal_length = step.dual_length = 1;
   step.decrease = (at.gradient.array() * step.z.array()).sum();
-  step_slacks(mu, goal, at, step);
-  step_bounds(z, mu, goal, step);
+  step_slacks(mu, at, step);
+  step_bounds(z, mu, step);
   for (const auto& energy : energies_) {
     step.primal_length =
         std::min(step.primal_length, to_boundary * energy->largest_step(z, step.z));
   }
-  return step;
+  return true;
 }
 
-void InteriorPoint::step_slacks(double mu, const Products& goal, const Linearization& at,
-                                Step& step) const {
+void InteriorPoint::step_slacks(double mu, const Linearization& at, Step& step) const {
   step.slack = slack_;
   step.multiplier = multiplier_;
   for (std::size_t c = 0; c < constraints_.size(); ++c) {
@@ -254,7 +232,7 @@ void InteriorPoint::step_slacks(double mu, const Products& goal, const Lineariza
       const double s = slack_[c](e), m = multiplier_[c](e),
                    ds = constraints_[c]->dot_row(e, value, 0, step.z) + value.value(0) - s;
       step.slack[c](e) = ds;
-      step.multiplier[c](e) = goal.constraint[c](e) / s - m - m / s * ds;
+      step.multiplier[c](e) = mu / s - m - m / s * ds;
       step.decrease -= mu * ds / s;
       limit(s, ds, step.primal_length);
       limit(m, step.multiplier[c](e), step.dual_length);
@@ -262,46 +240,21 @@ void InteriorPoint::step_slacks(double mu, const Products& goal, const Lineariza
   }
 }
 
-void InteriorPoint::step_bounds(const Vector& z, double mu, const Products& goal,
-                                Step& step) const {
+void InteriorPoint::step_bounds(const Vector& z, double mu, Step& step) const {
   step.lower_multiplier.resize(lower_multiplier_.size());
   step.upper_multiplier.resize(upper_multiplier_.size());
   for (std::size_t k = 0; k < bounds_.size(); ++k) {
     const auto& [block, unknown, lower, upper] = bounds_[k];
     const double low = z(block, unknown) - lower, high = upper - z(block, unknown),
                  d = step.z(block, unknown), ml = lower_multiplier_(k), mh = upper_multiplier_(k);
-    step.lower_multiplier(k) = goal.lower(k) / low - ml * (1 + d / low);
-    step.upper_multiplier(k) = goal.upper(k) / high - mh * (1 - d / high);
+    step.lower_multiplier(k) = mu / low - ml * (1 + d / low);
+    step.upper_multiplier(k) = mu / high - mh * (1 - d / high);
     step.decrease -= mu * (d / low - d / high);
     limit(low, d, step.primal_length);
     limit(high, -d, step.primal_length);
     limit(ml, step.lower_multiplier(k), step.dual_length);
     limit(mh, step.upper_multiplier(k), step.dual_length);
   }
-}
-
-InteriorPoint::Products InteriorPoint::centred(const Vector& z, double mu, const Step& step) const {
-  const double primal = std::min(1.0, step.primal_length + reach),
-               dual = std::min(1.0, step.dual_length + reach);
-  auto goal = [&](double slack, double slack_step, double multiplier, double multiplier_step) {
-    const double product = (slack + primal * slack_step) * (multiplier + dual * multiplier_step);
-    const double change = std::clamp(product, mu / spread, spread * mu) - product;
-    return mu + std::max(change, -spread * mu);
-  };
-  Products out{slack_, lower_multiplier_, upper_multiplier_};
-  for (std::size_t c = 0; c < slack_.size(); ++c) {
-    for (Eigen::Index e = 0; e < slack_[c].size(); ++e) {
-      out.constraint[c](e) =
-          goal(slack_[c](e), step.slack[c](e), multiplier_[c](e), step.multiplier[c](e));
-    }
-  }
-  for (std::size_t k = 0; k < bounds_.size(); ++k) {
-    const auto& [block, unknown, lower, upper] = bounds_[k];
-    const double value = z(block, unknown), d = step.z(block, unknown);
-    out.lower(k) = goal(value - lower, d, lower_multiplier_(k), step.lower_multiplier(k));
-    out.upper(k) = goal(upper - value, -d, upper_multiplier_(k), step.upper_multiplier(k));
-  }
-  return out;
 }
 
 double InteriorPoint::merit(const Vector& z, const Vectors& slack, double mu,
@@ -372,7 +325,7 @@ void InteriorPoint::iterate(Vector& z, const Levels& levels, int max_iterations,
     if (linearization) kept = std::move(linearization->values);
     linearization.reset();
     linearization =
-        std::make_unique<Linearization>(blocks, energies_, constraints_, places_, std::move(kept));
+        std::make_unique<Linearization>(blocks, energies_, constraints_, std::move(kept));
   };
   linearize_anew();
   Step step;

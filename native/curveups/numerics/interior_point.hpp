@@ -10,10 +10,8 @@
 // With multipliers m of c, each step solves
 //   (H + J^T (m/s) J + bounds) dz = -grad f + J^T (mu/s - (m/s)(c - s)) + bounds,
 // H and J the terms' and constraints' derivatives, backtracks on the merit function
-// f - mu sum log(slacks) + nu |c - s|_1, and is damped where that fails. A step that slacks or
-// multipliers cut short is corrected once towards products of like size (Gondzio, Multiple
-// centrality corrections in a primal-dual method for linear programming, 1996). The start need not
-// be feasible.
+// f - mu sum log(slacks) + nu |c - s|_1, and is damped where that fails. The start need not be
+// feasible.
 #pragma once
 
 #include <functional>
@@ -43,13 +41,10 @@ class InteriorPoint {
   using Vector = Residuals::Vector;
   using Constraints = std::vector<std::unique_ptr<Residuals>>;  // one row an element
 
-  // places: where blocks lie, for the order of elimination (elimination_order).
-  InteriorPoint(Terms<9> energies, Constraints constraints, std::vector<Bound> bounds,
-                Places places = {})
+  InteriorPoint(Terms<9> energies, Constraints constraints, std::vector<Bound> bounds)
       : energies_(std::move(energies)),
         constraints_(std::move(constraints)),
-        bounds_(std::move(bounds)),
-        places_(std::move(places)) {}
+        bounds_(std::move(bounds)) {}
 
   // Asked with z whenever the problem with the barrier parameter mu is solved: may give constraints
   // more elements and says whether it did. The run goes on with all slacks and multipliers.
@@ -65,10 +60,6 @@ class InteriorPoint {
 
  private:
   using Vectors = std::vector<Eigen::VectorXd>;  // one entry per element of each constraint
-  struct Products {                              // of slacks and multipliers
-    Vectors constraint;
-    Eigen::VectorXd lower, upper;
-  };
   struct Linearization;
   struct Step;
 
@@ -79,15 +70,11 @@ class InteriorPoint {
   void linearize(const Vector& z, Linearization& at) const;
   void linearize_constraints(const Vector& z, Linearization& at) const;
   void linearize_bounds(const Vector& z, Linearization& at) const;
-  Vector right_side(const Vector& z, const Products& goal, const Linearization& at) const;
+  Vector right_side(const Vector& z, double mu, const Linearization& at) const;
   // False where multipliers have grown so far that no damping makes the matrix definite.
   bool solve_step(const Vector& z, double mu, Linearization& at, double& damping, Step& step) const;
-  Step step_towards(const Vector& z, double mu, const Products& goal,
-                    const Linearization& at) const;
-  void step_slacks(double mu, const Products& goal, const Linearization& at, Step& step) const;
-  void step_bounds(const Vector& z, double mu, const Products& goal, Step& step) const;
-  // mu, but for the products that a longer step would leave far from it.
-  Products centred(const Vector& z, double mu, const Step& step) const;
+  void step_slacks(double mu, const Linearization& at, Step& step) const;
+  void step_bounds(const Vector& z, double mu, Step& step) const;
   double merit(const Vector& z, const Vectors& slack, double mu, double penalty) const;
   // Backtracks; false where no length is good enough.
   bool search(Vector& z, double mu, double penalty, double residual_sum, const Step& step,
@@ -96,7 +83,6 @@ class InteriorPoint {
   Terms<9> energies_;
   Constraints constraints_;
   std::vector<Bound> bounds_;
-  Places places_;
   Vectors slack_, multiplier_;
   Eigen::VectorXd lower_multiplier_, upper_multiplier_;  // of the bounds
 };

@@ -11,12 +11,9 @@
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/numerics/one_thread.hpp"
-#include "curveups/numerics/supernodal_cholesky.hpp"
 
 namespace curveups {
 namespace {
-
-constexpr int least_dissected = 2000;  // blocks; of fewer dissection saves less than it takes
 
 cholmod_sparse view(const SparseMatrix& a) {
   cholmod_sparse s{};
@@ -58,49 +55,22 @@ struct SparseCholesky::Impl {
     cholmod_free_factor(&factor, &common);
     cholmod_finish(&common);
   }
-  // The order of least degree, or that within one part after another: the one with less fill.
-  void analyze_dissected(const SparseMatrix& lower, std::vector<int> parts) {
-    cholmod_sparse a = view(lower);
-    std::vector<int> order(parts.size());
-    if (cholmod_camd(&a, nullptr, 0, parts.data(), order.data(), &common)) {
-      common.nmethods = 2;
-      common.method[1].ordering = CHOLMOD_AMD;
-      common.method[0].ordering = CHOLMOD_GIVEN;
-    }
-    analyze(lower, order.data());
-  }
-  void analyze(const SparseMatrix& lower, int* order = nullptr) {
+  void analyze(const SparseMatrix& lower) {
     checkpoint();
     const OneThread guard;
     cholmod_free_factor(&factor, &common);
     cholmod_sparse a = view(lower);
-    factor = cholmod_analyze_p(&a, order, nullptr, 0, &common);
+    factor = cholmod_analyze(&a, &common);
     if (!factor) {
       throw SolverFailure("the sparse solver could not order a system of " +
                               std::to_string(lower.rows()) + " unknowns",
                           "use a coarser mesh or a machine with more memory");
     }
-    numbers.reset();
-    if (common.method[0].ordering != CHOLMOD_NATURAL || !factor->is_super) return;
-    numbers = std::make_unique<SupernodalCholesky>(
-        Supernodes{static_cast<int>(factor->nsuper), static_cast<const int*>(factor->super),
-                   static_cast<const int*>(factor->pi), static_cast<const int*>(factor->px),
-                   static_cast<const int*>(factor->s)});
   }
   bool factorize(const SparseMatrix& lower) {
     cholmod_sparse a = view(lower);
     cholmod_factorize(&a, factor, &common);
     return common.status == CHOLMOD_OK && factor->minor == factor->n;
-  }
-  // On all threads: without permuted copies, the numbers are ours to fill in.
-  bool factorize_as_given(const SparseMatrix& lower) {
-    if (factor->xtype == CHOLMOD_PATTERN &&
-        !cholmod_change_factor(CHOLMOD_REAL, 1, 1, 1, 1, factor, &common)) {
-      return false;
-    }
-    if (!numbers->factorize(lower, static_cast<double*>(factor->x))) return false;
-    factor->minor = factor->n;
-    return true;
   }
   Eigen::MatrixXd solve(int system, const Eigen::MatrixXd& b) {
     checkpoint();
@@ -125,7 +95,6 @@ struct SparseCholesky::Impl {
 
   mutable cholmod_common common{};
   cholmod_factor* factor = nullptr;
-  std::unique_ptr<SupernodalCholesky> numbers;  // where the order is as given
 };
 
 SparseCholesky::SparseCholesky(Ordering ordering) : impl_(std::make_unique<Impl>(ordering)) {}
@@ -133,8 +102,7 @@ SparseCholesky::~SparseCholesky() = default;
 SparseCholesky::SparseCholesky(SparseCholesky&&) noexcept = default;
 SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
 
-std::vector<int> elimination_order(const std::vector<std::vector<int>>& above,
-                                   const Places& places) {
+std::vector<int> elimination_order(const std::vector<std::vector<int>>& above) {
   const int count = static_cast<int>(above.size());
   if (count == 0) return {};
   SparseMatrix graph(count, count);
@@ -150,11 +118,7 @@ std::vector<int> elimination_order(const std::vector<std::vector<int>>& above,
   graph.outerIndexPtr()[count] = at;
   std::fill(graph.valuePtr(), graph.valuePtr() + entries, 1.0);
   SparseCholesky symbolic;
-  if (count >= least_dissected && places.rows() == count && places.allFinite()) {
-    symbolic.impl_->analyze_dissected(graph, dissected_parts(above, places));
-  } else {
-    symbolic.analyze(graph);
-  }
+  symbolic.analyze(graph);
   return symbolic.order();
 }
 
@@ -173,7 +137,7 @@ bool SparseCholesky::factorize(const SparseMatrix& lower) {
     return false;
   }
   impl_->common.status = CHOLMOD_OK;
-  const bool definite = impl_->numbers ? impl_->factorize_as_given(lower) : impl_->factorize(lower);
+  const bool definite = impl_->factorize(lower);
   if (impl_->common.status == CHOLMOD_OUT_OF_MEMORY || impl_->common.status == CHOLMOD_TOO_LARGE) {
     throw SolverFailure(
         "the sparse solver ran out of memory at " + std::to_string(lower.rows()) + " unknowns",

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Sparse Cholesky factorization of a symmetric positive definite matrix whose pattern stays while
-// its values change: CHOLMOD, supernodal, on one BLAS thread. The only file that sees CHOLMOD. In
-// an order that is given the numbers are supernodal_cholesky's, on all threads.
+// its values change: CHOLMOD, supernodal, on one BLAS thread. The only file that sees CHOLMOD.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,20 +8,16 @@
 #include <memory>
 #include <vector>
 
-#include "curveups/numerics/nested_dissection.hpp"
-
 namespace curveups {
 
 // Only the lower triangle of the matrix is read.
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
 // An order of elimination with little fill (in postorder) for a graph: `above[v]` are the
-// neighbours of v with higher numbers, ascending. The k-th entry goes k-th. By least degree (AMD);
-// with places (empty: none), where there are thousands, by separators too (nested_dissection.hpp),
-// and the order with less fill of the two. Unknowns that come in blocks of one pattern are ordered
-// many times faster by the graph of their blocks.
-std::vector<int> elimination_order(const std::vector<std::vector<int>>& above,
-                                   const Places& places = {});
+// neighbours of v with higher numbers, ascending. The k-th entry goes k-th. By least degree (AMD).
+// Unknowns that come in blocks of one pattern are ordered many times faster by the graph of their
+// blocks.
+std::vector<int> elimination_order(const std::vector<std::vector<int>>& above);
 
 enum class Ordering {
   by_fill,  // AMD, when the pattern is analyzed
@@ -50,7 +45,6 @@ class SparseCholesky {
   Eigen::MatrixXd solve_upper(const Eigen::MatrixXd& b) const;
 
  private:
-  friend std::vector<int> elimination_order(const std::vector<std::vector<int>>&, const Places&);
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

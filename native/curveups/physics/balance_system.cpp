@@ -40,7 +40,7 @@ BalanceSystem::BalanceSystem(std::vector<ContactPoint> points, const Points3& ce
   }
   std::vector<Coupling> couplings;
   for (const ContactPoint& point : points_) couplings.push_back(point.tile);
-  const auto pattern = std::make_shared<const BlockPattern>(free, couplings, centres);
+  const auto pattern = std::make_shared<const BlockPattern>(free, couplings);
   matrix_ = std::make_unique<BlockMatrix<6>>(pattern);
   rows_ = 6 * pattern->free_count();
   for (int i = 0; i < tile_count; ++i) {

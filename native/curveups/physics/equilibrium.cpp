@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <utility>
-#include <vector>
 
 #include "curveups/core/errors.hpp"
 
@@ -14,14 +12,6 @@ namespace curveups {
 
 namespace {
 constexpr double jacobi_damping = 0.6;
-// Steps by an older factorization that cost about as much as one by a new one.
-constexpr int max_reuses = 3;
-// This share of the free vertices is settled by itself, with those within so many edges of it,
-// where all others are pulled by less than this share of the largest force.
-constexpr double worst_share = 0.01, rest_share = 0.1;
-constexpr int edges_around = 2;
-// Residual of the places by themselves: whole steps do the rest.
-constexpr double settled = 1e-6;
 }  // namespace
 
 void MembraneEquilibrium::measure(MembraneState& state, double tolerance) const {
@@ -38,41 +28,6 @@ void MembraneEquilibrium::measure(MembraneState& state, double tolerance) const 
   }
   state.solve.residual = glued > 0 ? largest / (glued / count) : largest;
   if (state.solve.residual <= tolerance) state.solve.status = SolveStatus::converged;
-}
-
-// Only where what is left is in a few places.
-void MembraneEquilibrium::settle_worst(MembraneState& state, double tolerance) const {
-  const int count = static_cast<int>(state.gradient.rows());
-  auto force = [&](int v) { return state.gradient.row(v).norm(); };
-  std::vector<double> forces;
-  for (int v = 0; v < count; ++v) {
-    if (energy_.is_free(v)) forces.push_back(force(v));
-  }
-  const auto rest = forces.begin() + static_cast<int>(worst_share * forces.size());
-  std::nth_element(forces.begin(), rest, forces.end(), std::greater<double>());
-  const double level = *rest;
-  if (!(level < rest_share * *std::max_element(forces.begin(), forces.end()))) return;
-  std::vector<char> worst(count);
-  for (int v = 0; v < count; ++v) {
-    worst[v] = energy_.is_free(v) && force(v) > level;
-  }
-  MembranePart part = energy_.part_around(std::move(worst), edges_around);
-  MembraneEquilibrium alone(std::move(part.energy));
-  Points3 start(static_cast<Eigen::Index>(part.vertices.size()), 3);
-  for (int k = 0; k < start.rows(); ++k) start.row(k) = state.x.row(part.vertices[k]);
-  EquilibriumOptions options;
-  options.max_iterations = 20;
-  options.sweeps = 0;
-  options.tolerance = settled;
-  const Points3 places = alone.solve(start, options).x;
-  Points3 x = state.x, gradient;
-  for (int k = 0; k < start.rows(); ++k) x.row(part.vertices[k]) = places.row(k);
-  const double energy = energy_.gradient(x, gradient);
-  if (!(energy <= state.energy)) return;
-  state.x = std::move(x);
-  state.energy = energy;
-  state.gradient = std::move(gradient);
-  measure(state, tolerance);
 }
 
 bool MembraneEquilibrium::factorize(const Points3& x, Points3& gradient) {
@@ -111,18 +66,13 @@ MembraneState MembraneEquilibrium::solve(const Points3& start, const Equilibrium
   }
   measure(state, options.tolerance);
   if (energy_.free_count() == 0) return state;
-  double reduction = 1;  // of the residual by the last step
   while (!state.solve.converged() && state.solve.iterations < options.max_iterations) {
     if (!keep_going(progress, what)) {
       state.solve.status = SolveStatus::stopped;
       break;
     }
-    const bool reuse = options.few_factorizations && reduction <= 0.1 &&
-                       state.solve.residual * std::pow(reduction, max_reuses) <= options.tolerance;
-    if (!reuse && !factorize(state.x, gradient)) break;
-    if (!direction(state.gradient, step)) break;
+    if (!factorize(state.x, gradient) || !direction(state.gradient, step)) break;
     ++state.solve.iterations;
-    if (!reuse) ++state.factorizations;
     const double slope = step.cwiseProduct(state.gradient).sum();
     const double rounding = 1e-13 * std::abs(state.energy);
     bool accepted = false;
@@ -137,13 +87,8 @@ MembraneState MembraneEquilibrium::solve(const Points3& start, const Equilibrium
         accepted = true;
       }
     }
-    if (!accepted && !reuse) break;
-    const double before = state.solve.residual;
+    if (!accepted) break;
     measure(state, options.tolerance);
-    if (options.few_factorizations && !reuse && state.solve.residual > settled) {
-      settle_worst(state, options.tolerance);
-    }
-    reduction = accepted ? state.solve.residual / before : 1;
   }
   return state;
 }

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Quasi-static equilibrium of one membrane in the actuated configuration: its glued vertices move
-// with the pins, the free ones minimise the elastic energy (paper, A.1). Newton's method; a few
-// places that hold it up, where triangles begin or cease to wrinkle, are settled by themselves
-// between its steps (nonlinear elimination: X. Cai, X. Li, Inexact Newton methods with restricted
-// additive Schwarz based nonlinear elimination for problems with high local nonlinearity, 2011).
+// with the pins, the free ones minimise the elastic energy (paper, A.1) by Newton's method.
 #pragma once
 
 #include <string>
@@ -20,10 +17,6 @@ struct EquilibriumOptions {
   // Damped Jacobi sweeps ahead of Newton's method: what an interpolated start is wrong in varies
   // from vertex to vertex, and each sweep costs a tenth of an iteration.
   int sweeps = 3;
-  // As few factorizations as do: the worst places by themselves after a step, and steps by an older
-  // factorization where that is about to converge anyway. What is left of it in the end serves no
-  // sensitivities.
-  bool few_factorizations = false;
   // Largest force left on a free vertex, relative to the mean force on a glued one.
   double tolerance = 1e-11;
 };
@@ -34,7 +27,6 @@ struct MembraneState {
   double energy = 0;
   // residual: the largest force on a free vertex, relative to the mean on a glued one.
   SolveReport solve;
-  int factorizations = 0;  // steps of Newton's method: the other iterations took an older one
 };
 
 // Owns the Hessian's factorization: after solve() it is that of the last step, for sensitivities.
@@ -59,11 +51,7 @@ class MembraneEquilibrium {
   const MembraneEnergy& energy() const { return energy_; }
 
  private:
-  explicit MembraneEquilibrium(MembraneEnergy energy)
-      : energy_(std::move(energy)), hessian_(energy_.pattern()) {}
-
   void measure(MembraneState& state, double tolerance) const;
-  void settle_worst(MembraneState& state, double tolerance) const;
   bool factorize(const Points3& x, Points3& gradient);
   // False where it is not finite.
   bool direction(const Points3& gradient, Points3& out) const;

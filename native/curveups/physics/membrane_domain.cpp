@@ -10,8 +10,7 @@
 
 namespace curveups {
 
-MembraneDomain make_membrane_domain(const TileMesh& tiles, Side side,
-                                    const std::vector<int>& loose) {
+MembraneDomain make_membrane_domain(const TileMesh& tiles, Side side) {
   MembraneDomain domain;
   domain.side = side;
   domain.tile_count = tiles.tile_count();
@@ -27,12 +26,6 @@ MembraneDomain make_membrane_domain(const TileMesh& tiles, Side side,
   std::vector<std::vector<int>> around = corners_around_inner_vertices(tiles);
   for (int v = 0; v < tiles.mesh.V.rows(); ++v) {
     if (!around[v].empty()) domain.patches.push_back({std::move(around[v]), -1, v});
-  }
-  if (!loose.empty()) domain.loose.assign(tiles.tile_count(), 0);
-  for (int i : loose) {
-    domain.loose[i] = 1;
-    domain.patches.push_back(
-        {{pin_corner_index(i, 0), pin_corner_index(i, 1), pin_corner_index(i, 2)}, -1, -1});
   }
   return domain;
 }

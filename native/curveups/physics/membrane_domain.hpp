@@ -18,8 +18,7 @@ namespace curveups {
 inline int pin_corner_index(int tile, int corner) { return 3 * tile + corner; }
 
 // A polygon of membrane. Its sides are, for a quadrilateral, pin edge, free side, pin edge, free
-// side; for a vertex polygon, the free sides of the quadrilaterals around it; above a loose pin,
-// the pin's edges.
+// side; for a vertex polygon, the free sides of the quadrilaterals around it.
 struct MembranePatch {
   std::vector<int> corners;  // pin corner numbers, counter-clockwise in the flat plane
   int contact;               // the contact bridged, or -1
@@ -29,14 +28,10 @@ struct MembranePatch {
 struct MembraneDomain {
   Side side;
   int tile_count;
-  std::vector<MembranePatch> patches;  // contacts in their order, then vertices and loose pins
-  std::vector<char> loose;             // by tile, whether its pin has let go; empty: none has
-  bool is_loose(int tile) const { return !loose.empty() && loose[tile] != 0; }
+  std::vector<MembranePatch> patches;  // contacts in their order, then vertices
 };
 
-// loose: tiles whose pins on this side have let go of the membrane.
-MembraneDomain make_membrane_domain(const TileMesh& tiles, Side side,
-                                    const std::vector<int>& loose = {});
+MembraneDomain make_membrane_domain(const TileMesh& tiles, Side side);
 
 // Tiles (from 0) whose corners a patch uses, each once, in ascending order.
 std::vector<int> tiles_of(const MembranePatch& patch);

@@ -12,9 +12,6 @@
 namespace curveups {
 namespace {
 
-// Free vertices: of fewer a nested dissection takes what it saves.
-constexpr int least_dissected = 40000;
-
 Matrix6 positive_part(const Matrix6& H) {
   const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(H);
   return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() *
@@ -68,51 +65,9 @@ MembraneEnergy::MembraneEnergy(const MembraneMesh& mesh, const Points2& flat, do
   set_rest(flat, tau);
   std::vector<char> free;
   for (int pin : mesh.pin) free.push_back(pin < 0);
-  const bool many = std::count(free.begin(), free.end(), 1) > least_dissected;
-  make_pattern(free, many ? Places(flat) : Places());
-}
-
-void MembraneEnergy::make_pattern(const std::vector<char>& free, const Places& places) {
   std::vector<Coupling> couplings;
   couple(couplings);
-  pattern_ = std::make_shared<const BlockPattern>(free, couplings, places);
-}
-
-MembranePart MembraneEnergy::part_around(std::vector<char> chosen, int edges) const {
-  auto touches = [](const Element& e, const std::vector<char>& marked) {
-    return std::any_of(e.vertex.begin(), e.vertex.end(), [&](int v) { return marked[v] != 0; });
-  };
-  for (int ring = 0; ring < edges; ++ring) {
-    const std::vector<char> before = chosen;
-    for (const Element& e : elements_) {
-      if (!touches(e, before)) continue;
-      for (int v : e.vertex) chosen[v] = 1;
-    }
-  }
-  for (std::size_t v = 0; v < chosen.size(); ++v) {
-    chosen[v] = chosen[v] != 0 && is_free(static_cast<int>(v));
-  }
-  MembranePart part{MembraneEnergy(), {}};
-  MembraneEnergy& own = part.energy;
-  own.stiffness_ = stiffness_;
-  own.tau_ = tau_;
-  own.material_ = material_;
-  std::vector<int> number(chosen.size(), -1);
-  std::vector<char> free;
-  for (const Element& e : elements_) {
-    if (!touches(e, chosen)) continue;
-    own.elements_.push_back(e);
-    for (int& v : own.elements_.back().vertex) {
-      if (number[v] < 0) {
-        number[v] = static_cast<int>(part.vertices.size());
-        part.vertices.push_back(v);
-        free.push_back(chosen[v]);
-      }
-      v = number[v];
-    }
-  }
-  own.make_pattern(free, {});
-  return part;
+  pattern_ = std::make_shared<const BlockPattern>(free, couplings);
 }
 
 void MembraneEnergy::couple(std::vector<Coupling>& couplings) const {

@@ -24,8 +24,6 @@ struct TriangleStretch {
   MembraneTension tension;
 };
 
-struct MembranePart;
-
 // A block for each vertex of the mesh; those that no pin holds are unknown. An element is a
 // triangle, with its exact Hessian. N mm.
 class MembraneEnergy : public Term<3> {
@@ -62,10 +60,6 @@ class MembraneEnergy : public Term<3> {
   Points3 harmonic(const Points3& glued) const;
 
   std::vector<TriangleStretch> stretches(const Points3& x) const;
-  // The free vertices within so many edges of the chosen ones, with the triangles around them: all
-  // other vertices as if they were glued. chosen: per vertex.
-  MembranePart part_around(std::vector<char> chosen, int edges) const;
-
   // Another rest shape of the same mesh. Throws InvalidInput where a triangle turns over.
   void set_rest(const Points2& flat, double tau);
   // Second derivatives along displacements of all vertices, glued ones too: per displacement w the
@@ -75,7 +69,6 @@ class MembraneEnergy : public Term<3> {
                           std::vector<Points3>& by_position, std::vector<Points2>* by_flat) const;
 
  private:
-  MembraneEnergy() = default;
   struct Element {
     std::array<int, 3> vertex;
     Eigen::Matrix2d inverse;  // of the rest edge matrix: F = (x1 - x0, x2 - x0) inverse
@@ -83,7 +76,6 @@ class MembraneEnergy : public Term<3> {
   };
   Gradient32 deformation(const Element& element, const Points3& x) const;
   Density density(const Gradient32& F, bool second) const;
-  void make_pattern(const std::vector<char>& free, const Places& places);
   int element_count() const { return static_cast<int>(elements_.size()); }
   double add_derivatives(const Points3& x, Points3& gradient, BlockMatrix<3>* hessian, int first,
                          bool projected) const;
@@ -93,12 +85,6 @@ class MembraneEnergy : public Term<3> {
   double stiffness_ = 0;
   double tau_ = 1;
   MembraneMaterial material_;
-};
-
-// Some of a membrane's triangles, with vertices numbered anew.
-struct MembranePart {
-  MembraneEnergy energy;
-  std::vector<int> vertices;  // their numbers in the whole
 };
 
 }  // namespace curveups

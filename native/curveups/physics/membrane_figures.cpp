@@ -112,14 +112,14 @@ LargestGlueLoads largest_of(const GlueLoads& loads) {
   return out;
 }
 
-LoosePins overloaded_pins(const GlueLoads& loads) {
-  LoosePins out;
-  for (std::size_t s = 0; s < loads.size(); ++s) {
-    for (const GlueLoad& load : loads[s]) {
-      if (load.shear > load.limit) out[s].push_back(load.tile);
+std::vector<int> overloaded_tiles(const GlueLoads& loads) {
+  std::set<int> tiles;
+  for (const std::vector<GlueLoad>& of_side : loads) {
+    for (const GlueLoad& load : of_side) {
+      if (load.shear > load.limit) tiles.insert(load.tile);
     }
   }
-  return out;
+  return {tiles.begin(), tiles.end()};
 }
 
 std::array<double, 2> surplus_tension(const Parameters& parameters) {

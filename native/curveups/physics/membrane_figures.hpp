@@ -38,7 +38,7 @@ struct GlueLoad {
   double limit = 0;  // MPa of shear that the glue withstands there
 };
 
-// Of every pin, by side and tile. q: the design's insets. A loose pin carries nothing.
+// Loads of every pin, by side and tile. q: the design's insets.
 using GlueLoads = std::array<std::vector<GlueLoad>, 2>;
 GlueLoads glue_loads(const TileMesh& tiles, const Array6& q,
                      const std::array<MembraneSolution, 2>& membranes,
@@ -50,8 +50,8 @@ struct LargestGlueLoads {
 };
 LargestGlueLoads largest_of(const GlueLoads& loads);
 
-// The pins that carry more than they withstand.
-LoosePins overloaded_pins(const GlueLoads& loads);
+// Tiles with a pin whose glue carries more shear than it withstands, ascending.
+std::vector<int> overloaded_tiles(const GlueLoads& loads);
 
 // N/mm along the rim of each sheet, front and back, stretched by tau in both directions and free
 // to contract in thickness: the surplus pulls so before it is cut off (paper, section 6.2).

@@ -125,8 +125,7 @@ SharedVertices make_shared_vertices(const MembraneDomain& domain, const Points2&
   for (std::size_t c = 0; c < shared.at_corner.size(); ++c) {
     if (shared.at_corner[c] < 0) continue;
     shared.at_corner[c] = mesh.vertex_count();
-    const int tile = static_cast<int>(c) / 3;
-    push_vertex(mesh, {static_cast<int>(c)}, {1.0}, domain.is_loose(tile) ? -1 : tile);
+    push_vertex(mesh, {static_cast<int>(c)}, {1.0}, static_cast<int>(c) / 3);
   }
   shared.on_side.reserve(4 * domain.patches.size());
   for (const MembranePatch& patch : domain.patches) {
@@ -138,7 +137,7 @@ SharedVertices make_shared_vertices(const MembraneDomain& domain, const Points2&
       const double length = (flat.row(low) - flat.row(high)).norm();
       for (double t : gradings.on_side(a, b).fractions(length)) {
         it->second.push_back(mesh.vertex_count());
-        const bool glued = low / 3 == high / 3 && !domain.is_loose(low / 3);
+        const bool glued = low / 3 == high / 3;
         push_vertex(mesh, {low, high}, {1 - t, t}, glued ? low / 3 : -1);
       }
     }
@@ -183,7 +182,7 @@ void require_few_triangles(const MembraneDomain& domain, const Points2& flat,
   throw InvalidInput("a membrane would need about " +
                          std::to_string(static_cast<long long>(std::min(triangles, 1e18))) +
                          " triangles of " + std::to_string(options.largest) + " mm",
-                     "check the layout's lengths against L, or raise mesh_size");
+                     "check the layout's lengths against L");
 }
 
 // One patch by itself: its boundary from the shared vertices, then the points inside.

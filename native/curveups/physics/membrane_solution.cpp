@@ -35,14 +35,13 @@ namespace {
 
 MembraneSolution solve_membrane(const DesignGeometry& geometry, const FlatPoses& poses,
                                 const Array6& q, const Parameters& parameters, Side side,
-                                const std::vector<int>& loose, const std::vector<int>& halvings,
-                                const Progress& progress) {
+                                const std::vector<int>& halvings, const Progress& progress) {
   const TileMesh& tiles = geometry.tiles;
   const std::string what = side == Side::front ? "front membrane" : "back membrane";
   const MembraneMaterial material = membrane_material(parameters, side);
   const EquilibriumOptions options;
   MembraneSolution out;
-  out.domain = make_membrane_domain(tiles, side, loose);
+  out.domain = make_membrane_domain(tiles, side);
   out.pin_corners = actuated_pin_corners(tiles, q, side, parameters.H_pin);
   SolvedMembrane& coarse = out.coarse;
   coarse.flat_corners = flat_pin_corners(tiles, poses, q, side);
@@ -62,10 +61,8 @@ MembraneSolution solve_membrane(const DesignGeometry& geometry, const FlatPoses&
   out.mesh = refine_mesh(coarse.mesh);
   out.flat = vertex_positions(out.mesh.weights, coarse.flat_corners);
   MembraneEquilibrium equilibrium(out.mesh, out.flat, parameters.tau, material);
-  EquilibriumOptions last = options;
-  last.few_factorizations = true;
   const Points3 glued = vertex_positions(out.mesh.weights, out.pin_corners);
-  out.state = equilibrium.solve(prolong(out.mesh, coarse.state.x, glued), last, progress, what);
+  out.state = equilibrium.solve(prolong(out.mesh, coarse.state.x, glued), options, progress, what);
   if (!keep_going(progress, what)) throw Cancelled();
   out.forces = pin_corner_forces(out.mesh, out.state, tiles.tile_count());
   out.stretch = equilibrium.energy().stretches(out.state.x);
@@ -78,13 +75,13 @@ MembraneSolution solve_membrane(const DesignGeometry& geometry, const FlatPoses&
 std::array<MembraneSolution, 2> solve_membranes(const DesignGeometry& geometry,
                                                 const FlatPoses& poses, const Array6& q,
                                                 const Parameters& parameters,
-                                                const Progress& progress, const LoosePins& loose,
+                                                const Progress& progress,
                                                 const std::vector<int>& halvings) {
   const Progress serial = one_at_a_time(progress);
   std::array<MembraneSolution, 2> out;
   auto solve = [&](Side side) {
     const int s = static_cast<int>(side);
-    out[s] = solve_membrane(geometry, poses, q, parameters, side, loose[s], halvings, serial);
+    out[s] = solve_membrane(geometry, poses, q, parameters, side, halvings, serial);
   };
   parallel_tasks({[&] { solve(Side::front); }, [&] { solve(Side::back); }});
   return out;
@@ -92,8 +89,7 @@ std::array<MembraneSolution, 2> solve_membranes(const DesignGeometry& geometry,
 
 bool move_pins(MembraneSolution& solution, const Points3& corners, const Parameters& parameters) {
   const int tiles = solution.domain.tile_count;
-  EquilibriumOptions options;
-  options.few_factorizations = true;
+  const EquilibriumOptions options;
   if (!move_pins(solution.coarse, corners, options)) return false;
   solution.coarse_forces = pin_corner_forces(solution.coarse.mesh, solution.coarse.state, tiles);
   SolvedMembrane fine;

@@ -50,16 +50,12 @@ struct MembraneSolution {
 MembraneMeshOptions membrane_mesh_options(const Parameters& parameters);
 MembraneMaterial membrane_material(const Parameters& parameters, Side side);
 
-// Tiles whose pins have let go of a membrane, front and back, ascending.
-using LoosePins = std::array<std::vector<int>, 2>;
-
 // Front and back, at once where there are threads; calls of progress come one at a time.
 // halvings: as MembraneMeshOptions have it. Throws what make_membrane_mesh throws, and Cancelled.
 std::array<MembraneSolution, 2> solve_membranes(const DesignGeometry& geometry,
                                                 const FlatPoses& poses, const Array6& q,
                                                 const Parameters& parameters,
                                                 const Progress& progress,
-                                                const LoosePins& loose = {},
                                                 const std::vector<int>& halvings = {});
 
 // Both meshes follow pins that are elsewhere in space (where tiles have settled), each from where

@@ -105,20 +105,6 @@ void subtract_work(const BalanceSystem& system, const Points3& forces, const Arr
   }
 }
 
-// Of points that are tied to corners (touch_points.hpp), by these: `corners` of them.
-PlaceGradient by_corners(const PlaceGradient& tied, const TouchPoints& touch, int corners) {
-  PlaceGradient out{{}, Points3::Zero(corners, 3), Points3::Zero(corners, 3)};
-  for (std::size_t p = 0; p < touch.tie.size(); ++p) {
-    const TouchPoints::Tie& tie = touch.tie[p];
-    const Eigen::RowVector3d by_point = tied.point.row(p);
-    for (int l = 0; l < tie.count; ++l) {
-      out.point.row(tie.first + l) += tie.weight[l] * by_point;
-    }
-    out.normal.row(tie.first) += tied.normal.row(p) + tie.height * by_point;
-  }
-  return out;
-}
-
 // Forces in the points' bases (three a point) as vectors in the world.
 Points3 in_world(const BalanceSystem& system, const double* forces) {
   Points3 out(system.point_count(), 3);
@@ -296,15 +282,14 @@ std::vector<ForceGradient> force_gradients(const DesignForces& forces,
   return gradients_of(forces, motions, std::move(places), vertices);
 }
 
-ForceGradient floor_gradient(const DesignForces& forces, const BalanceSystem& system,
-                             const TouchPoints* touch, const UnilateralResult& unilateral,
+ForceGradient floor_gradient(const DesignForces& forces, const UnilateralResult& unilateral,
                              const std::vector<VertexPatch>& vertices) {
+  const BalanceSystem& system = forces.system();
   std::vector<PlaceGradient> places;
   if (!vertices.empty()) {
     PlaceGradient place{{}, Points3::Zero(system.point_count(), 3), unilateral.by_normal};
     subtract_work(system, in_world(system, unilateral.force.data()), unilateral.motion,
                   place.point);
-    if (touch) place = by_corners(place, *touch, forces.system().point_count());
     places.push_back(std::move(place));
   }
   return gradients_of(forces, {unilateral.motion}, std::move(places), vertices).front();

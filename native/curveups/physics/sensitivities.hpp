@@ -20,7 +20,6 @@
 
 #include "curveups/design/vertex_patch.hpp"
 #include "curveups/physics/design_forces.hpp"
-#include "curveups/physics/touch_points.hpp"
 #include "curveups/physics/unilateral.hpp"
 
 namespace curveups {
@@ -39,11 +38,9 @@ std::vector<ForceGradient> force_gradients(const DesignForces& forces,
                                            const Eigen::MatrixXd& functions,
                                            const std::vector<VertexPatch>& vertices);
 
-// The same of the largest floor of the unilateral problem under forces' loads, by its multipliers.
-// system: whose points were the problem's, forces' own or, with `touch`, points that are tied to
-// those. touch may be null.
-ForceGradient floor_gradient(const DesignForces& forces, const BalanceSystem& system,
-                             const TouchPoints* touch, const UnilateralResult& unilateral,
+// Derivatives of the largest floor of the unilateral problem under forces' loads, by its
+// multipliers.
+ForceGradient floor_gradient(const DesignForces& forces, const UnilateralResult& unilateral,
                              const std::vector<VertexPatch>& vertices);
 
 }  // namespace curveups

@@ -12,16 +12,6 @@ namespace {
 // How often the mesh is refined around undecided points.
 constexpr int most_halvings = 2;
 
-template <class Matrix>
-bool same(const Matrix& a, const Matrix& b) {
-  return a.rows() == b.rows() && a == b;
-}
-
-bool same_design(const Design& a, const Design& b) {
-  return same(a.mesh.V, b.mesh.V) && same(a.mesh.F, b.mesh.F) && same(a.T, b.T) && same(a.q, b.q) &&
-         same(a.cuts, b.cuts) && a.parameters == b.parameters;
-}
-
 Wrenches sum_wrenches(const std::array<MembraneSolution, 2>& membranes, const Points3& centres,
                       Points3 MembraneSolution::*forces) {
   Wrenches wrenches = Wrenches::Zero(centres.rows(), 6);
@@ -74,15 +64,13 @@ std::vector<int> tiles_around(const TileMesh& tiles, const std::vector<std::arra
 }
 
 SolvedDesign solve_on_mesh(const DesignGeometry& geometry, const Design& design,
-                           const Progress& progress, const LoosePins& loose,
-                           const std::vector<int>& halvings) {
+                           const Progress& progress, const std::vector<int>& halvings) {
   const Parameters& parameters = design.parameters;
   SolvedDesign solved;
   solved.design = design;
   solved.halvings = halvings;
   const FlatPoses poses = fit_poses(geometry.tiles, design.T);
-  solved.membranes =
-      solve_membranes(geometry, poses, design.q, parameters, progress, loose, halvings);
+  solved.membranes = solve_membranes(geometry, poses, design.q, parameters, progress, halvings);
   const Points3 centres = tile_centres(geometry.tiles);
   const Wrenches fine = sum_wrenches(solved.membranes, centres, &MembraneSolution::forces);
   solved.elastic = extrapolate<Wrenches>(
@@ -137,13 +125,13 @@ BalanceSystem make_balance_system(const DesignGeometry& geometry, const Paramete
 
 SolvedDesign solve_design(const DesignGeometry& geometry, const Design& design,
                           const Progress& progress) {
-  SolvedDesign solved = solve_on_mesh(geometry, design, progress, {}, {});
+  SolvedDesign solved = solve_on_mesh(geometry, design, progress, {});
   for (int round = 0; round < most_halvings && !solved.undecided.empty(); ++round) {
     std::vector<int> halvings = solved.halvings;
     halvings.resize(geometry.tiles.tile_count(), 0);
     for (int tile : tiles_around(geometry.tiles, solved.undecided)) ++halvings[tile];
     try {
-      solved = solve_on_mesh(geometry, design, progress, {}, halvings);
+      solved = solve_on_mesh(geometry, design, progress, halvings);
     } catch (const InvalidInput&) {  // too many triangles: it stays undecided
       break;
     }
@@ -151,59 +139,17 @@ SolvedDesign solve_design(const DesignGeometry& geometry, const Design& design,
   return solved;
 }
 
-SolvedDesign solve_without_pins(const DesignGeometry& geometry, const SolvedDesign& solved,
-                                const LoosePins& loose, const Progress& progress) {
-  return solve_on_mesh(geometry, solved.design, progress, loose, solved.halvings);
-}
-
 double force_scale(const SolvedDesign& solved) {
   if (solved.forces.normal_mean > 0) return solved.forces.normal_mean;
   return std::max(solved.elastic.leftCols<3>().rowwise().norm().mean(), 1e-12);
 }
 
-const UnilateralResult& find_floor(SolvedDesign& solved, Touching where, BalanceSystem& system,
-                                   const Progress& progress) {
-  std::optional<UnilateralResult>& kept = solved.floor[static_cast<int>(where)];
-  if (kept) return *kept;
-  const Points3 start = where == Touching::at_corners
-                            ? solved.forces.force
-                            : solve_contact_forces(system, solved.loads).force;
+UnilateralResult find_floor(const SolvedDesign& solved, BalanceSystem& system,
+                            const Progress& progress) {
   UnilateralOptions options;
   options.friction_coefficient = solved.design.parameters.friction_coefficient;
   options.scale = force_scale(solved);
-  return kept.emplace(solve_unilateral(system, solved.loads, start, options, progress));
-}
-
-const std::vector<MembraneClearance>& find_clearances(SolvedDesign& solved,
-                                                      const DesignGeometry& geometry, Side side) {
-  const int s = static_cast<int>(side);
-  std::optional<std::vector<MembraneClearance>>& kept = solved.clearances[s];
-  if (kept) return *kept;
-  return kept.emplace(
-      patch_clearances(geometry, solved.membranes[s], solved.design.parameters.H_pin));
-}
-
-void SolutionStore::put(SolvedDesign solved) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  solved_ = std::move(solved);
-}
-
-std::optional<SolvedDesign> SolutionStore::take(const Design& design) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (!solved_ || !same_design(solved_->design, design)) return std::nullopt;
-  return std::exchange(solved_, std::nullopt);
-}
-
-void SolutionStore::clear() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  solved_.reset();
-}
-
-SolvedDesign take_or_solve(SolutionStore* store, const DesignGeometry& geometry,
-                           const Design& design, const Progress& progress) {
-  std::optional<SolvedDesign> solved;
-  if (store) solved = store->take(design);
-  return solved ? std::move(*solved) : solve_design(geometry, design, progress);
+  return solve_unilateral(system, solved.loads, solved.forces.force, options, progress);
 }
 
 }  // namespace curveups

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Membranes of a design at their equilibrium with the contact forces that follow: what verification
-// reports on and repair starts from. Solved once and handed on through a SolutionStore.
+// reports on and repair starts from.
 #pragma once
 
 #include <array>
-#include <mutex>
-#include <optional>
 #include <vector>
 
 #include "curveups/physics/clearance.hpp"
 #include "curveups/physics/contact_forces.hpp"
 #include "curveups/physics/loads.hpp"
 #include "curveups/physics/membrane_solution.hpp"
-#include "curveups/physics/touch_points.hpp"
 #include "curveups/physics/unilateral.hpp"
 
 namespace curveups {
@@ -32,10 +29,6 @@ struct SolvedDesign {
   std::vector<std::array<int, 2>> undecided;
   std::vector<int> halvings;
   double f_min_ratio = 0;  // f_min over the mean normal force: as asked, or the error where larger
-  // What find_floor found, by Touching.
-  std::array<std::optional<UnilateralResult>, 2> floor;
-  // What find_clearances found, by Side.
-  std::array<std::optional<std::vector<MembraneClearance>>, 2> clearances;
 };
 
 // How much the least of the forces may be overestimated where each is uncertain by its own error:
@@ -50,10 +43,6 @@ double error_of_least(const Eigen::ArrayXd& force, const Eigen::ArrayXd& error);
 SolvedDesign solve_design(const DesignGeometry& geometry, const Design& design,
                           const Progress& progress);
 
-// The same design after these pins have let go of their membrane, with the same sizes of the mesh.
-SolvedDesign solve_without_pins(const DesignGeometry& geometry, const SolvedDesign& solved,
-                                const LoosePins& loose, const Progress& progress);
-
 // The corners of the interfaces at which the tiles of a design hold one another. Contacts between
 // two held tiles are left out: the hand that holds the tiles provides their forces.
 std::vector<ContactPoint> contact_corners(const DesignGeometry& geometry,
@@ -67,34 +56,9 @@ BalanceSystem make_balance_system(const DesignGeometry& geometry, const Paramete
 // The unit of a design's forces, N: the mean normal force of contacts, where membranes press.
 double force_scale(const SolvedDesign& solved);
 
-// The largest floor of pushing forces within friction (unilateral.hpp) where tiles touch, kept in
-// `solved`; of corners and of tips at once where threads ask. system: the balance at these points,
-// whose factorization changes. Throws what solve_unilateral and solve_contact_forces throw.
-const UnilateralResult& find_floor(SolvedDesign& solved, Touching where, BalanceSystem& system,
-                                   const Progress& progress);
-
-// How far a side's membrane stays from the bodies (patch_clearances), kept in `solved`; of both
-// sides at once where threads ask.
-const std::vector<MembraneClearance>& find_clearances(SolvedDesign& solved,
-                                                      const DesignGeometry& geometry, Side side);
-
-// Holds one solution at most. Whoever takes it owns it and nobody gets it a second time; a design
-// that differs from the solution's in a bit of its mesh, cuts, layout, pins or parameters gets
-// nothing, and solves. Results do not depend on whether it held something. Safe to be shared by
-// threads.
-class SolutionStore {
- public:
-  void put(SolvedDesign solved);
-  std::optional<SolvedDesign> take(const Design& design);
-  void clear();
-
- private:
-  std::mutex mutex_;
-  std::optional<SolvedDesign> solved_;
-};
-
-// What the store (which may be null) has for the design, or solved now.
-SolvedDesign take_or_solve(SolutionStore* store, const DesignGeometry& geometry,
-                           const Design& design, const Progress& progress);
+// The largest floor of pushing forces within friction (unilateral.hpp) at the contact corners.
+// system: the balance there, whose factorization changes. Throws what solve_unilateral throws.
+UnilateralResult find_floor(const SolvedDesign& solved, BalanceSystem& system,
+                            const Progress& progress);
 
 }  // namespace curveups

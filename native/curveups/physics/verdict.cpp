@@ -2,7 +2,6 @@
 #include "curveups/physics/verdict.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace curveups {
@@ -57,44 +56,31 @@ void judge_least_squares(const VerdictInput& in, VerificationReport& report) {
   }
 }
 
-// What one unilateral problem lacks, to which `more` is added; nothing where it reaches f_min.
-// where: "" or "tips".
-void judge_push(const UnilateralFigures& u, SolveStatus status, double largest_floor, bool feasible,
-                const std::string& where, const UnilateralResult& result,
-                const BalanceSystem& system, std::vector<Finding> more,
-                VerificationReport& report) {
-  if (feasible) return;
-  Finding found = {"least_force"};
-  if (status == SolveStatus::infeasible) found.kind = "no_balance";
-  if (status == SolveStatus::unfinished) found.kind = "balance_unknown";
-  if (!where.empty()) found.kind += "." + where;
-  const Finding::Pairs contacts = critical_contacts(result, system);
-  if (status != SolveStatus::unfinished) found.tiles = tiles_of(contacts);
-  found.figures = {{"mu", u.friction_coefficient}, {"least", largest_floor},
-                   {"pull", -largest_floor},       {"f_min", u.floor},
-                   {"contacts", contacts},         {"more", std::move(more)}};
-  report.reasons.push_back(std::move(found));
-}
-
 void judge_unilateral(const VerdictInput& in, VerificationReport& report) {
   const UnilateralFigures& u = report.unilateral;
+  if (u.feasible && u.feasible_at_tips == false) {
+    report.warnings.push_back(
+        {"least_force.tips", {}, {{"mu", u.friction_coefficient}, {"f_min", u.floor}}});
+  }
+  if (u.feasible) return;
+  Finding found = {"least_force"};
+  if (u.status == SolveStatus::infeasible) found.kind = "no_balance";
+  if (u.status == SolveStatus::unfinished) found.kind = "balance_unknown";
   std::vector<Finding> more;
   if (u.status == SolveStatus::infeasible && u.sliding_play) {
     more.push_back({"dimples_stop", {}, {{"play", *u.sliding_play}}});
   }
-  const auto& [at_corners, at_tips] = in.solved.floor;
-  judge_push(u, u.status, u.largest_floor, u.feasible, "", *at_corners, in.system, std::move(more),
-             report);
-  if (!in.tips_system) return;
-  more.clear();
-  if (in.solved.design.parameters.gravity == "held") more.push_back({"hold_more"});
-  judge_push(u, *u.tips_status, u.tips_largest_floor, u.feasible_at_tips, "tips", *at_tips,
-             *in.tips_system, std::move(more), report);
+  const Finding::Pairs contacts = critical_contacts(in.unilateral, in.system);
+  if (u.status != SolveStatus::unfinished) found.tiles = tiles_of(contacts);
+  found.figures = {{"mu", u.friction_coefficient}, {"least", u.largest_floor},
+                   {"pull", -u.largest_floor},     {"f_min", u.floor},
+                   {"contacts", contacts},         {"more", std::move(more)}};
+  report.reasons.push_back(std::move(found));
 }
 
 const char* name_of(Side side) { return side == Side::front ? "front" : "back"; }
 
-// What the sheets and the glue on pins hold, by their makers: whether sheets tear is not computed.
+// Warnings about what the makers of sheets and glue promise. The verdict does not depend on them.
 void judge_materials(const Parameters& parameters, VerificationReport& report) {
   const double elongation = 100 * (report.physics.stretch_99 - 1);
   if (elongation > parameters.elongation_at_break) {
@@ -103,27 +89,15 @@ void judge_materials(const Parameters& parameters, VerificationReport& report) {
          {},
          {{"elongation", elongation}, {"limit", parameters.elongation_at_break}}});
   }
-  const Loosening& loose = report.loosening;
-  std::vector<int> tiles;
-  std::set_union(loose.pins[0].begin(), loose.pins[0].end(), loose.pins[1].begin(),
-                 loose.pins[1].end(), std::back_inserter(tiles));
-  if (tiles.empty()) return;
+  if (report.overloaded_tiles.empty()) return;
   const GlueLoad& load = report.glue.shear;
-  Finding found = {"glue_shear.holds",
-                   tiles,
-                   {{"side", name_of(load.side)},
-                    {"tile", std::vector<int>{load.tile}},
-                    {"shear", load.shear},
-                    {"limit", load.limit},
-                    {"loose", tiles}}};
-  if (loose.holds) {
-    report.warnings.push_back(std::move(found));
-    return;
-  }
-  found.kind = loose.largest_floor ? "glue_shear.fails" : "glue_shear.all";
-  found.figures["least"] = loose.largest_floor.value_or(0);
-  found.figures["f_min"] = loose.f_min;
-  report.reasons.push_back(std::move(found));
+  report.warnings.push_back({"glue_shear",
+                             report.overloaded_tiles,
+                             {{"side", name_of(load.side)},
+                              {"tile", std::vector<int>{load.tile}},
+                              {"shear", load.shear},
+                              {"limit", load.limit},
+                              {"overloaded", report.overloaded_tiles}}});
 }
 
 void judge_membranes(const VerdictInput& in, VerificationReport& report) {

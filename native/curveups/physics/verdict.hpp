@@ -10,8 +10,7 @@ namespace curveups {
 // A contact point presses with f_min at least.
 inline bool presses(double normal_force, double f_min) { return normal_force >= f_min; }
 
-// Pushing forces within friction reach f_min at every point, as far as the cone program tells: the
-// same wherever tiles touch, at the interfaces' corners and at bumps' tips.
+// Pushing forces within friction reach f_min at every point, as far as the cone program tells.
 // scale: the unit of forces that the program was solved in.
 inline bool floor_is_reached(double largest_floor, double f_min, double scale) {
   return largest_floor >= f_min - UnilateralOptions{}.tolerance * scale;
@@ -24,9 +23,9 @@ inline bool is_clear(double distance) { return distance >= 0; }
 inline constexpr double safe_clearance = 0.05;
 
 struct VerdictInput {
-  const SolvedDesign& solved;  // with its floors
+  const SolvedDesign& solved;
+  const UnilateralResult& unilateral;
   const BalanceSystem& system;
-  const BalanceSystem* tips_system;  // null without bumps
   std::array<MembraneClearance, 2> clearance;
   std::array<std::vector<int>, 2> slack_tiles;  // front, back: beside slack membrane
   std::vector<std::array<int, 2>> crossing;     // tiles where a sheet would lie on itself

@@ -10,7 +10,6 @@
 #include "curveups/core/parallel.hpp"
 #include "curveups/design/flat_rim.hpp"
 #include "curveups/physics/membrane_figures.hpp"
-#include "curveups/physics/touch_points.hpp"
 #include "curveups/physics/verdict.hpp"
 
 namespace curveups {
@@ -104,44 +103,39 @@ void describe_contacts(const TileMesh& tiles, const BalanceSystem& system,
   }
 }
 
-// Second-order cone programs of a verdict, which stay in the solved design, and how far membranes
-// stay from bodies: independent of one another. system: at the interfaces' corners; tips: null
-// without bumps.
-std::array<MembraneClearance, 2> solve_programs(BalanceSystem& system, BalanceSystem* tips,
-                                                SolvedDesign& solved,
-                                                const DesignGeometry& geometry,
-                                                const Progress& progress) {
-  const Progress serial = one_at_a_time(progress);
-  std::array<MembraneClearance, 2> out;
-  auto clearance = [&](Side side) {
-    out[static_cast<int>(side)] =
-        least_clearance(find_clearances(solved, geometry, side), solved.design.parameters.H_pin);
-  };
-  parallel_tasks({[&] { find_floor(solved, Touching::at_corners, system, serial); },
-                  [&] {
-                    if (tips) find_floor(solved, Touching::at_tips, *tips, serial);
-                  },
-                  [&] { clearance(Side::front); }, [&] { clearance(Side::back); }});
+// Contact points of printed tiles: bumps' tips where a contact has some, else its corners.
+// tips: bump_tips.
+std::vector<ContactPoint> points_at_tips(const std::vector<ContactPoint>& corners,
+                                         const std::vector<Points3>& tips) {
+  std::vector<ContactPoint> out;
+  int last = -1;
+  for (const ContactPoint& corner : corners) {
+    const Points3& apexes = tips[corner.contact];
+    if (apexes.rows() == 0) out.push_back(corner);
+    if (corner.contact == last) continue;
+    last = corner.contact;
+    for (int p = 0; p < apexes.rows(); ++p) {
+      out.push_back({apexes.row(p).transpose(), corner.normal, corner.tile, corner.contact});
+    }
+  }
   return out;
 }
 
-UnilateralFigures describe_programs(const SolvedDesign& solved, double f_min) {
-  const auto& [at_corners, at_tips] = solved.floor;
-  const double scale = force_scale(solved);
-  UnilateralFigures u;
-  u.friction_coefficient = solved.design.parameters.friction_coefficient;
-  u.floor = f_min;
-  u.status = at_corners->solve.status;
-  u.largest_floor = at_corners->largest_floor;
-  u.feasible =
-      u.status == SolveStatus::converged && floor_is_reached(u.largest_floor, f_min, scale);
-  if (at_tips) {
-    u.tips_status = at_tips->solve.status;
-    u.tips_largest_floor = at_tips->largest_floor;
-    u.feasible_at_tips = u.tips_status == SolveStatus::converged &&
-                         floor_is_reached(u.tips_largest_floor, f_min, scale);
-  }
-  return u;
+bool is_feasible(const SolvedDesign& solved, const UnilateralResult& unilateral, double f_min) {
+  return unilateral.solve.status == SolveStatus::converged &&
+         floor_is_reached(unilateral.largest_floor, f_min, force_scale(solved));
+}
+
+// The unilateral problem at bumps' tips, which the verdict does not depend on.
+bool is_feasible_at_tips(const SolvedDesign& solved, const DesignGeometry& geometry,
+                         const std::vector<Points3>& tips, double f_min, const Progress& progress) {
+  const Parameters& parameters = solved.design.parameters;
+  BalanceSystem system = make_balance_system(
+      geometry, parameters, points_at_tips(contact_corners(geometry, parameters), tips));
+  const Points3 start = solve_contact_forces(system, solved.loads).force;
+  const UnilateralOptions options = {parameters.friction_coefficient, force_scale(solved)};
+  return is_feasible(solved, solve_unilateral(system, solved.loads, start, options, progress),
+                     f_min);
 }
 
 // Pairs of tiles between which the front or the back sheet would lie on itself.
@@ -159,22 +153,28 @@ std::vector<std::array<int, 2>> crossing_sheets(const TileMesh& tiles, const Des
 
 }  // namespace
 
-VerificationReport verify_design(const Design& design, SolutionStore* store,
-                                 const Progress& progress, const VerificationOptions& options) {
-  const Parameters& parameters = design.parameters;
-  const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, parameters);
-  const TileMesh& tiles = geometry.tiles;
-  const BumpPlan plan = plan_bumps(geometry, fit_poses(tiles, design.T), parameters);
-  const std::vector<Points3> tips = bump_tips(plan, tiles);
-  VerificationReport report;
-  SolvedDesign solved;
+VerificationReport verify_design(const Design& design, const Progress& progress,
+                                 const VerificationOptions& options) {
+  const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
+  std::optional<SolvedDesign> solved;
   try {
-    solved = take_or_solve(store, geometry, design, progress);
+    solved = solve_design(geometry, design, progress);
   } catch (const InfeasibleDesign& error) {
+    VerificationReport report;
     report.reasons.push_back(
         {"not_laid_out", error.tiles(), {{"said", std::string(error.what())}}});
     return report;
   }
+  return verify_solved(geometry, *solved, progress, options);
+}
+
+VerificationReport verify_solved(const DesignGeometry& geometry, const SolvedDesign& solved,
+                                 const Progress& progress, const VerificationOptions& options) {
+  const Design& design = solved.design;
+  const Parameters& parameters = design.parameters;
+  const TileMesh& tiles = geometry.tiles;
+  const BumpPlan plan = plan_bumps(geometry, fit_poses(tiles, design.T), parameters);
+  VerificationReport report;
   report.computed = true;
   report.elastic = solved.elastic;
   report.physics.normal_force_error = solved.normal_force_error;
@@ -187,34 +187,45 @@ VerificationReport verify_design(const Design& design, SolutionStore* store,
 
   const GlueLoads glue = glue_loads(tiles, design.q, solved.membranes, parameters);
   report.glue = largest_of(glue);
+  report.overloaded_tiles = overloaded_tiles(glue);
 
   const ContactForces& forces = solved.forces;
   const double f_min = solved.f_min_ratio * std::max(0.0, forces.normal_mean);
   BalanceSystem system = make_balance_system(geometry, parameters);
   describe_contacts(tiles, system, forces, f_min, report);
-  const LoosePins overloaded = overloaded_pins(glue);
-  const bool overloads = !overloaded[0].empty() || !overloaded[1].empty();
-  if (options.weak_is_enough && (report.contact_forces.points_below_f_min > 0 || overloads)) {
+  if (options.weak_is_enough && report.contact_forces.points_below_f_min > 0) {
     report.complete = false;
-    if (store) store->put(std::move(solved));
     return report;
   }
 
-  std::optional<BalanceSystem> tips_system;
-  if (any_tips(tips)) {
-    tips_system.emplace(make_balance_system(
-        geometry, parameters, tie_to_corners(contact_corners(geometry, parameters), tips).points));
-  }
-  BalanceSystem* at_tips = tips_system ? &*tips_system : nullptr;
-  const std::array<MembraneClearance, 2> clearance =
-      solve_programs(system, at_tips, solved, geometry, progress);
+  const std::vector<Points3> tips = bump_tips(plan, tiles);
+  const bool any_tips = std::any_of(tips.begin(), tips.end(),
+                                    [](const Points3& apexes) { return apexes.rows() > 0; });
+  std::array<MembraneClearance, 2> clearance;
+  UnilateralFigures& unilateral = report.unilateral;
+  const Progress serial = one_at_a_time(progress);
+  auto find_clearance = [&](Side side) {
+    const int s = static_cast<int>(side);
+    clearance[s] = least_clearance(
+        patch_clearances(geometry, solved.membranes[s], parameters.H_pin), parameters.H_pin);
+  };
+  UnilateralResult at_corners;
+  parallel_tasks({[&] { at_corners = find_floor(solved, system, serial); },
+                  [&] {
+                    if (!any_tips) return;
+                    unilateral.feasible_at_tips =
+                        is_feasible_at_tips(solved, geometry, tips, f_min, serial);
+                  },
+                  [&] { find_clearance(Side::front); }, [&] { find_clearance(Side::back); }});
   report.physics.clearance_mm = std::min(clearance[0].distance, clearance[1].distance);
-  report.unilateral = describe_programs(solved, f_min);
-  if (parameters.bumps == "dimples") report.unilateral.sliding_play = sliding_play(plan, tiles);
-  report.loosening = loosen_pins(geometry, solved, overloaded, tips, progress);
-  give_verdict({solved, system, at_tips, clearance, slack_tiles, crossing_sheets(tiles, design)},
+  unilateral.friction_coefficient = parameters.friction_coefficient;
+  unilateral.floor = f_min;
+  unilateral.status = at_corners.solve.status;
+  unilateral.largest_floor = at_corners.largest_floor;
+  unilateral.feasible = is_feasible(solved, at_corners, f_min);
+  if (parameters.bumps == "dimples") unilateral.sliding_play = sliding_play(plan, tiles);
+  give_verdict({solved, at_corners, system, clearance, slack_tiles, crossing_sheets(tiles, design)},
                report);
-  if (store) store->put(std::move(solved));
   return report;
 }
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "curveups/core/finding.hpp"
-#include "curveups/physics/loosening.hpp"
 #include "curveups/physics/membrane_figures.hpp"
 #include "curveups/physics/unilateral.hpp"
 
@@ -47,10 +46,8 @@ struct UnilateralFigures {
   double friction_coefficient = 0;
   double floor = 0;          // N, f_min
   double largest_floor = 0;  // N
-  // The same at the bumps' tips.
-  std::optional<SolveStatus> tips_status;
-  bool feasible_at_tips = false;
-  double tips_largest_floor = 0;
+  // The same where only bumps' tips touch; without a value where there are none. A warning alone.
+  std::optional<bool> feasible_at_tips;
   // Dimples: how far walls can slide on one another before these hold them, mm.
   std::optional<double> sliding_play;
 };
@@ -78,7 +75,7 @@ struct VerificationReport {
   ContactFigures contact_forces;
   UnilateralFigures unilateral;
   LargestGlueLoads glue;
-  Loosening loosening;  // where the glue does not bear that
+  std::vector<int> overloaded_tiles;  // pins whose glue carries more than glue_strength, ascending
 
   Edges contact_tiles;  // per contact
   Eigen::VectorXd contact_normal_min, contact_normal_mean, contact_friction_ratio;

@@ -21,7 +21,7 @@ std::vector<int> with_neighbours(const TileMesh& tiles, const std::array<int, 2>
 // With what is short as the kind of `reason`.
 std::vector<BlockedContact> short_contacts(const std::vector<ContactPoint>& points,
                                            const Judgement& judgement,
-                                           const CriticalPairs& critical) {
+                                           const std::vector<std::array<int, 2>>& critical) {
   std::vector<BlockedContact> out;
   auto add = [&](const std::array<int, 2>& tiles, double force) {
     const auto known = std::find_if(out.begin(), out.end(), [&](const BlockedContact& contact) {
@@ -38,11 +38,9 @@ std::vector<BlockedContact> short_contacts(const std::vector<ContactPoint>& poin
     if (points[p].contact >= 0 && force < 1) add(points[p].tile, force);
   }
   std::string kind = "weak_contact";
-  for (Touching where : touchings) {
-    if (!out.empty() || !judgement.is_short_of(where)) continue;
-    kind = where == Touching::at_tips ? "weak_contact.tips" : "weak_contact.friction";
-    const int k = static_cast<int>(where);
-    for (const std::array<int, 2>& pair : critical[k]) add(pair, judgement.floor[k]);
+  if (out.empty() && judgement.is_short_of_floor()) {
+    kind = "weak_contact.friction";
+    for (const std::array<int, 2>& pair : critical) add(pair, judgement.floor);
   }
   for (BlockedContact& contact : out) {
     const Finding::Pairs pair = {contact.tiles};
@@ -56,7 +54,7 @@ std::vector<BlockedContact> short_contacts(const std::vector<ContactPoint>& poin
 std::vector<BlockedContact> explain_weak_contacts(const TileMesh& tiles,
                                                   const std::vector<ContactPoint>& points,
                                                   const Judgement& judgement,
-                                                  const CriticalPairs& critical,
+                                                  const std::vector<std::array<int, 2>>& critical,
                                                   const std::vector<Obstacle>& obstacles) {
   std::vector<BlockedContact> out = short_contacts(points, judgement, critical);
   for (BlockedContact& contact : out) {

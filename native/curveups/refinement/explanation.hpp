@@ -20,16 +20,13 @@ struct BlockedContact {
   std::string obstacle;  // Obstacle::what, empty where there is none
 };
 
-// Tiles of the contacts that hold a floor down, by Touching.
-using CriticalPairs = std::array<std::vector<std::array<int, 2>>, 2>;
-
-// The contacts with a point below f_min, in the order of the points; where there are none and a
-// largest floor is below it, those that hold that floor down (tiles, by Touching). Each with the
-// strongest obstacle of the last step on its tiles or their neighbours.
+// The contacts with a point below f_min, in the order of the points; where there are none and the
+// largest floor is below it, those that hold that floor down (critical, pairs of tiles). Each with
+// the strongest obstacle of the last step on its tiles or their neighbours.
 std::vector<BlockedContact> explain_weak_contacts(const TileMesh& tiles,
                                                   const std::vector<ContactPoint>& points,
                                                   const Judgement& judgement,
-                                                  const CriticalPairs& critical,
+                                                  const std::vector<std::array<int, 2>>& critical,
                                                   const std::vector<Obstacle>& obstacles);
 
 }  // namespace curveups

@@ -54,9 +54,7 @@ MovingVertices vertices_to_move(const Iterate& place, const TrackedForces& track
       mark(points[p].tile);
     }
   }
-  for (Touching where : touchings) {
-    for (const std::array<int, 2>& pair : tracked.critical_pairs(where)) mark(pair);
-  }
+  for (const std::array<int, 2>& pair : tracked.critical_pairs()) mark(pair);
   for (int i = 0; i < tiles.tile_count(); ++i) {
     for (int t = 0; t < 3 && near[i]; ++t) chosen[tiles.mesh.F(i, t)] = 1;
   }
@@ -99,15 +97,10 @@ std::vector<ForceRow> force_rows(const Iterate& place, const TrackedForces& trac
     const double value = (now.normal(chosen[r]) - force_goal * now.f_min) / now.mean;
     rows.push_back(make_row(place, value, 1 / now.mean, gradients[r], moving));
   }
-  for (Touching where : touchings) {
-    const int k = static_cast<int>(where);
-    if (!tracked.floor_is_active(where) ||
-        tracked.floors()[k].solve.status == SolveStatus::unfinished) {
-      continue;
-    }
-    const double value = (now.floor[k] - floor_goal) * now.f_min / now.mean;
-    rows.push_back(
-        make_row(place, value, 1 / now.mean, tracked.gradient_of_floor(where, patches), moving));
+  if (tracked.floor_is_active() && tracked.floor().solve.status != SolveStatus::unfinished) {
+    const double value = (now.floor - floor_goal) * now.f_min / now.mean;
+    const ForceGradient gradient = floor_gradient(tracked.forces(), tracked.floor(), patches);
+    rows.push_back(make_row(place, value, 1 / now.mean, gradient, moving));
   }
   return rows;
 }

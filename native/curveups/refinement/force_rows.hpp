@@ -20,7 +20,8 @@ struct VertexPlaces {
 MovingVertices vertices_to_move(const Iterate& place, const TrackedForces& tracked,
                                 const Judgement& now, const VertexPlaces& target);
 
-// A row per point below the active force and one for each floor that is active. moving may be null.
+// A row per point below the active force, and one for the floor where that is active. moving may be
+// null.
 std::vector<ForceRow> force_rows(const Iterate& place, const TrackedForces& tracked,
                                  const Judgement& now, const MovingVertices* moving);
 

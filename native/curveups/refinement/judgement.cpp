@@ -7,7 +7,7 @@
 
 namespace curveups {
 
-Judgement judge(const Eigen::VectorXd& normal, const Floors& floors, double f_min_ratio) {
+Judgement judge(const Eigen::VectorXd& normal, double floor, double f_min_ratio) {
   Judgement out;
   out.normal = normal;
   for (double force : normal) out.mean += force;
@@ -24,10 +24,8 @@ Judgement judge(const Eigen::VectorXd& normal, const Floors& floors, double f_mi
     out.least = std::min(out.least, f);
     out.missing += std::max(0.0, force_goal - f);
   }
-  for (std::size_t k = 0; k < floors.size(); ++k) {
-    out.floor[k] = floors[k] / out.f_min;
-    if (out.floor[k] < floor_goal) out.missing += floor_goal - out.floor[k];
-  }
+  out.floor = floor / out.f_min;
+  if (out.floor < floor_goal) out.missing += floor_goal - out.floor;
   return out;
 }
 

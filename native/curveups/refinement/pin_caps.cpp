@@ -9,14 +9,7 @@
 namespace curveups {
 namespace {
 
-// Pins grow until the glue has this much to spare: their neighbours' growth changes their load.
-constexpr double glue_reserve = 1.1;
 constexpr double least_move = 0.01;  // mm of an inset that is worth another fresh mesh
-
-double around(const std::array<Vec2, 3>& corner) {
-  return (corner[1] - corner[0]).norm() + (corner[2] - corner[1]).norm() +
-         (corner[0] - corner[2]).norm();
-}
 
 }  // namespace
 
@@ -40,33 +33,6 @@ bool cap_insets(const std::vector<Touch>& touches, const Iterate& place, Array6&
     for (int t = 0; t < 3; ++t) {
       const int n = topology.neighbour(touch.tile, t);
       if (n >= 0) cap(n, touch);
-    }
-  }
-  return any;
-}
-
-bool cap_overloaded(const GlueLoads& loads, const Iterate& place, Array6& caps) {
-  const TileMesh& tiles = place.geometry().tiles;
-  const PinBounds& bounds = place.geometry().pin_bounds;
-  const Array6 insets = place.insets();
-  bool any = false;
-  for (const std::vector<GlueLoad>& of_side : loads) {
-    for (const GlueLoad& load : of_side) {
-      if (!(load.shear > load.limit)) continue;
-      const double area = pin_area(tiles, load.tile, load.side, insets.row(load.tile).data());
-      // A pin is similar to its face: the root of its area is linear in the inset of all its edges.
-      const double grown = std::sqrt(glue_reserve * load.shear / load.limit) - 1;
-      const double circumference =
-          around(pin_corners(tiles, load.tile, load.side, insets.row(load.tile).data()));
-      const double inward = 2 * area * grown / circumference;
-      for (int t = 0; t < 3; ++t) {
-        const int k = inset_index(load.side, t);
-        const double q = insets(load.tile, k);
-        const double drawn = std::max(bounds.lower(load.tile, k) + least_capped_range, q - inward);
-        if (!(drawn < q - least_move)) continue;
-        caps(load.tile, k) = drawn;
-        any = true;
-      }
     }
   }
   return any;

@@ -4,7 +4,6 @@
 
 #include <vector>
 
-#include "curveups/physics/membrane_figures.hpp"
 #include "curveups/refinement/tracked_forces.hpp"
 
 namespace curveups {
@@ -13,9 +12,5 @@ namespace curveups {
 // edges they hold it up better. Caps the insets of the tiles touched, and of those next to them,
 // below where they are. Returns whether there is any that can give way.
 bool cap_insets(const std::vector<Touch>& touches, const Iterate& place, Array6& caps);
-
-// Pins whose glue does not bear what they carry grow until it would, under the same pull, where
-// their bounds leave room: caps their insets below where they are. Returns whether there is any.
-bool cap_overloaded(const GlueLoads& loads, const Iterate& place, Array6& caps);
 
 }  // namespace curveups

@@ -23,8 +23,6 @@ constexpr double first_trust_radius = 0.2;
 constexpr double largest_displacement_of_L = 0.1;
 // What moving a vertex costs against moving a tile as far.
 constexpr double vertex_cost = 100;
-// Fresh meshes on which overloaded pins grow.
-constexpr int most_glue_rounds = 4;
 
 // The deepest of either side.
 std::vector<Finding> cuts_among(const std::vector<Touch>& touches) {
@@ -44,17 +42,17 @@ std::vector<Finding> cuts_among(const std::vector<Touch>& touches) {
 
 class Repair {
  public:
-  Repair(const Design& design, SolutionStore* store, const Progress& progress,
-         const RepairCallback& callback, int max_steps);
+  Repair(const Design& design, const Progress& progress, const RepairCallback& callback,
+         int max_steps);
   RepairResult run();
 
  private:
-  // On a fresh mesh; points of the judgement, and contacts that hold its floors down.
+  // On a fresh mesh; points of the judgement, and contacts that hold its floor down.
   struct Judged {
     Iterate place;
     Judgement judgement;
     std::vector<ContactPoint> points;
-    CriticalPairs critical;
+    std::vector<std::array<int, 2>> critical;
     std::vector<Finding> cuts;
   };
 
@@ -62,7 +60,7 @@ class Repair {
 
   Design design_here() const;
   void restore_start(RepairResult& result);
-  Judgement judge_fresh();
+  Judgement judge_fresh(RepairResult& result);
   void search(RepairResult& result);
   bool reached(const Judgement& now) const;
   StepWeights step_weights() const;
@@ -74,7 +72,6 @@ class Repair {
   bool settle(int max_steps);
   void tell(const Judgement& now) const;
 
-  SolutionStore* store_;
   Progress progress_;
   RepairCallback callback_;
   int max_steps_;
@@ -86,17 +83,14 @@ class Repair {
   TrackedForces tracked_;
   std::optional<Judged> best_;
   std::vector<Touch> touches_;
-  GlueLoads glue_;  // of the last fresh mesh, whose design is valid; else empty
-  int glue_rounds_ = 0;
   double trust_radius_ = 0;
   int first_weak_ = 0;
   LayoutStep last_step_;
 };
 
-Repair::Repair(const Design& design, SolutionStore* store, const Progress& progress,
-               const RepairCallback& callback, int max_steps)
-    : store_(store),
-      progress_(progress),
+Repair::Repair(const Design& design, const Progress& progress, const RepairCallback& callback,
+               int max_steps)
+    : progress_(progress),
       callback_(callback),
       max_steps_(max_steps),
       design_(design),
@@ -140,24 +134,15 @@ Design Repair::design_here() const {
   return out;
 }
 
-// Meshes anew, where nobody has: the verdict, and the correction of the moving mesh from here on.
-Judgement Repair::judge_fresh() {
+// Meshes anew: the verdict, and the correction of the moving mesh from here on.
+Judgement Repair::judge_fresh(RepairResult& result) {
   if (!keep_going(progress_, "repair: fresh membranes")) throw Cancelled();
-  SolvedDesign fresh = take_or_solve(store_, here_.geometry(), design_here(), progress_);
+  SolvedDesign fresh = solve_design(here_.geometry(), design_here(), progress_);
   Judgement now = tracked_.judge_fresh(here_, fresh);
   touches_ = find_touches(here_.geometry(), fresh);
   for (const Touch& touch : touches_) now.depth = std::max(now.depth, -touch.clearance);
-  glue_ = {};
   if (now.valid()) {
-    glue_ = glue_loads(here_.geometry().tiles, fresh.design.q, fresh.membranes, parameters_);
-    for (const std::vector<GlueLoad>& of_side : glue_) {
-      for (const GlueLoad& load : of_side) {
-        now.overload += std::max(0.0, load.shear / load.limit - 1);
-      }
-    }
-  }
-  if (now.valid() && !(now.overload > 0)) {
-    if (store_) store_->put(std::move(fresh));
+    result.verification = verify_solved(here_.geometry(), fresh, progress_);
   } else {
     tracked_.follow(here_, fresh, now);
   }
@@ -231,7 +216,7 @@ bool Repair::move_to(const LayoutStep& step, const MovingVertices* moving, const
 // One accepted step, or false where none lifts the weak forces any more.
 bool Repair::take_step(RepairResult& result, Judgement& now, bool with_vertices) {
   const Iterate from = here_;
-  const std::array<UnilateralResult, 2> floors = tracked_.floors();
+  const UnilateralResult floor = tracked_.floor();
   MovingVertices chosen;
   if (with_vertices) chosen = vertices_to_move(here_, tracked_, now, target_);
   const MovingVertices* moving = chosen.count() > 0 ? &chosen : nullptr;
@@ -252,18 +237,17 @@ bool Repair::take_step(RepairResult& result, Judgement& now, bool with_vertices)
     double largest = move.cwiseAbs().maxCoeff();
     if (moving) largest = std::max(largest, last_step_.vertex_step.cwiseAbs().maxCoeff());
     now = next;
-    result.steps.push_back(
-        {now.weak, now.least, now.least_floor(), largest, moving != nullptr, false});
+    result.steps.push_back({now.weak, now.least, now.floor, largest, moving != nullptr, false});
     trust_radius_ = std::min(2 * trust_radius_, first_trust_radius);
     return true;
   }
   here_ = from;
-  tracked_.move_back(here_, floors);
+  tracked_.move_back(here_, floor);
   return false;
 }
 
-// Where membranes cut into bodies or all but touch them; where forces do, only where they cut; of a
-// valid design, where glue is overloaded. False where no pin can, or the layout has no room for it.
+// Draws pins out where membranes cut into bodies or all but touch them; where forces do, only where
+// they cut. False where no pin can, or the layout has no room for it.
 bool Repair::draw_pins_out(const Judgement& now) {
   const Iterate from = here_;
   const Array6 caps = caps_;
@@ -273,17 +257,14 @@ bool Repair::draw_pins_out(const Judgement& now) {
                                  [](const Touch& touch) { return is_clear(touch.clearance); }),
                   touches.end());
   }
-  const bool any = now.valid()
-                       ? glue_rounds_++ < most_glue_rounds && cap_overloaded(glue_, here_, caps_)
-                       : cap_insets(touches, here_, caps_);
-  if (any) {
+  if (cap_insets(touches, here_, caps_)) {
     const bool settled = succeeds([&] {
       here_.shape = make_shape(from.geometry().tiles.mesh, &from.model());
       return settle(20);
     });
     if (settled) return true;
     here_ = from;
-    tracked_.move_back(here_, tracked_.floors());
+    tracked_.move_back(here_, tracked_.floor());
   }
   caps_ = caps;
   return false;
@@ -291,7 +272,7 @@ bool Repair::draw_pins_out(const Judgement& now) {
 
 // Near enough to the goals for a fresh mesh to judge.
 bool Repair::reached(const Judgement& now) const {
-  return now.least >= force_goal - 0.1 && !(now.least_floor() < floor_goal - 0.05);
+  return now.least >= force_goal - 0.1 && !(now.floor < floor_goal - 0.05);
 }
 
 // Steps until the goals are reached or nothing helps. Returns whether there was one.
@@ -300,13 +281,12 @@ bool Repair::improve(RepairResult& result, Judgement& now) {
   trust_radius_ = first_trust_radius;
   while (static_cast<int>(result.steps.size()) <= max_steps_ && !reached(now)) {
     const double before = now.missing;
-    const bool with_vertices = slow && parameters_.move_vertices;
-    if (take_step(result, now, with_vertices)) {
+    if (take_step(result, now, slow)) {
       moved = true;
       // Vertices join in where poses and pins alone get on slowly.
       slow = now.missing > 0.8 * before;
       tell(now);
-    } else if (slow || !parameters_.move_vertices) {
+    } else if (slow) {
       break;
     } else {
       slow = true;
@@ -330,25 +310,21 @@ void Repair::tell(const Judgement& now) const {
 void Repair::search(RepairResult& result) {
   restore_start(result);
   while (true) {
-    Judgement now = judge_fresh();
+    Judgement now = judge_fresh(result);
     if (!best_) first_weak_ = now.weak;
-    result.steps.push_back({now.weak, now.least, now.least_floor(), 0, false, true});
+    result.steps.push_back({now.weak, now.least, now.floor, 0, false, true});
     if (!best_ || now.better_than(best_->judgement)) {
-      best_ = Judged{here_,
-                     now,
-                     contact_corners(here_.geometry(), parameters_),
-                     {tracked_.critical_pairs(Touching::at_corners),
-                      tracked_.critical_pairs(Touching::at_tips)},
-                     cuts_among(touches_)};
+      best_ = Judged{here_, now, contact_corners(here_.geometry(), parameters_),
+                     tracked_.critical_pairs(), cuts_among(touches_)};
     }
     tell(now);
-    if (now.valid() && !(now.overload > 0)) return;
+    if (now.valid()) return;
     const bool drawn = static_cast<int>(result.steps.size()) <= max_steps_ && draw_pins_out(now);
     // Steps beyond what forces need do not aim at membranes.
     if (now.forces_do() && !drawn) return;
     if (drawn) {
       now = tracked_.judge();
-      result.steps.push_back({now.weak, now.least, now.least_floor(), 0, false, false});
+      result.steps.push_back({now.weak, now.least, now.floor, 0, false, false});
     }
     if (!improve(result, now) && !drawn) return;
   }
@@ -383,9 +359,9 @@ RepairResult Repair::run() {
 
 }  // namespace
 
-RepairResult repair_design(const Design& design, SolutionStore* store, const Progress& progress,
+RepairResult repair_design(const Design& design, const Progress& progress,
                            const RepairCallback& callback, int max_steps) {
-  return Repair(design, store, progress, callback, max_steps).run();
+  return Repair(design, progress, callback, max_steps).run();
 }
 
 }  // namespace curveups

@@ -14,12 +14,13 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "curveups/core/progress.hpp"
 #include "curveups/design/design.hpp"
-#include "curveups/physics/solved_design.hpp"
+#include "curveups/physics/verification.hpp"
 #include "curveups/refinement/explanation.hpp"
 
 namespace curveups {
@@ -27,9 +28,8 @@ namespace curveups {
 struct RepairStep {
   int weak_points;      // normal force below f_min
   double least_force;   // in units of f_min
-  double least_floor;   // the lesser of the largest floors of the unilateral problem, at corners
-                        // and at bumps' tips, in units of f_min; NaN where neither was looked
-                        // at (points are weak, and they were not the reason)
+  double least_floor;   // largest floor of the unilateral problem in units of f_min; NaN where it
+                        // was not computed (points are weak, and the floor was not the reason)
   double largest_move;  // of an unknown in this step, mm
   bool vertices;        // whether vertices moved
   bool fresh_mesh;      // judged on a fresh, extrapolated mesh
@@ -45,7 +45,8 @@ struct RepairResult {
   std::vector<BlockedContact> blocked;
   // Where either membrane cuts deepest into a body, as verification gives its reasons.
   std::vector<Finding> cuts;
-  std::string breakdown;  // why it ended early; empty where it did not
+  std::string breakdown;                           // why it ended early; empty where it did not
+  std::optional<VerificationReport> verification;  // of a valid result
 };
 
 // Called after every step with flat corners, insets, the number of weak points and the largest
@@ -53,15 +54,13 @@ struct RepairResult {
 using RepairCallback =
     std::function<bool(const FlatCorners&, const Array6&, double weak_points, double violation)>;
 
-// Valid: least-squares normal forces at every contact point and the largest floors of the
-// unilateral problem, at the interfaces' corners and at bumps' tips, >= f_min, no membrane cuts
-// into a body, and all constraints of the layout are kept. Where vertices move the result's target
-// is the given design's target, or its mesh. Cancelled through progress it is stopped and keeps the
-// best so far. store: asked for what verification has solved of this very design, and left with
-// what is solved of a valid result; or null. Throws what make_geometry throws, InvalidInput for
-// a target with other vertices than the mesh, InfeasibleDesign where the layout's constraints can't
-// be restored or membranes fold over even so, SolverFailure.
-RepairResult repair_design(const Design& design, SolutionStore* store, const Progress& progress,
+// Valid: least-squares normal forces at every contact point and the largest floor of the unilateral
+// problem >= f_min, no membrane cuts into a body, and all constraints of the layout are kept. Where
+// vertices move the result's target is the given design's target, or its mesh. Cancelled through
+// progress it is stopped and keeps the best so far. Throws what make_geometry
+// throws, InvalidInput for a target with other vertices than the mesh, InfeasibleDesign where the
+// layout's constraints can't be restored or membranes fold over even so, SolverFailure.
+RepairResult repair_design(const Design& design, const Progress& progress,
                            const RepairCallback& callback = {}, int max_steps = 60);
 
 }  // namespace curveups

@@ -66,7 +66,7 @@ ActuatedDesign rise(Design design, double friction, bool answers = false) {
   design.parameters.friction_coefficient = friction;
   ActuationOptions options;
   options.answers = answers;
-  return actuate_design(design, nullptr, options, {});
+  return actuate_design(design, options, {});
 }
 
 Vec3 normal_of(const Points3& corners, int tile) {
@@ -162,7 +162,7 @@ TEST(ActuatedDesign, FromTheTargetAtFrictionItStays) {
   ActuationOptions options;
   options.start = FrameRows::Zero(design.T.rows(), 7);
   options.start->col(3).setOnes();
-  const ActuatedDesign found = actuate_design(design, nullptr, options, {});
+  const ActuatedDesign found = actuate_design(design, options, {});
   ASSERT_TRUE(found.arrives);
   EXPECT_TRUE(*found.arrives) << found.end.shortfall;
   EXPECT_NEAR(found.end.energy, found.from_target.energy, 1e-6 * found.end.energy);
@@ -193,7 +193,7 @@ TEST(ActuatedDesign, ARestingPieceIsOnItsTableAllTheWay) {
   design.parameters.density = 8;
   ActuationOptions options;
   options.answers = false;
-  const ActuatedDesign found = actuate_design(design, nullptr, options, {});
+  const ActuatedDesign found = actuate_design(design, options, {});
   ASSERT_TRUE(found.end.at_rest);
   const TileBodies bodies = make_tile_bodies(design);
   FrameRows still = FrameRows::Zero(design.T.rows(), 7);
@@ -261,7 +261,7 @@ TEST(ActuatedDesign, StoppedItKeepsThePathSoFar) {
   ActuationOptions options;
   bool moving = false;
   const ActuatedDesign found =
-      actuate_design(dome(0.3), nullptr, options, [&](const std::string& what, double fraction) {
+      actuate_design(dome(0.3), options, [&](const std::string& what, double fraction) {
         moving = moving || (what == "actuate" && fraction > 0);
         return !moving;
       });
@@ -274,7 +274,7 @@ TEST(ActuatedDesign, StoppedItKeepsThePathSoFar) {
 
 // Stopped when it has reported so often that tiles move.
 ActuatedDesign stopped_path(const Design& design, const ActuationOptions& options, int reports) {
-  return actuate_design(design, nullptr, options, [&](const std::string& what, double fraction) {
+  return actuate_design(design, options, [&](const std::string& what, double fraction) {
     reports -= what == "actuate" && fraction > 0;
     return reports > 0;
   });
@@ -285,7 +285,7 @@ TEST(ActuatedDesign, APathGoesOnAsItWouldHave) {
     const Design design = dome(friction);
     ActuationOptions whole;
     whole.answers = false;
-    const ActuatedDesign expected = actuate_design(design, nullptr, whole, {});
+    const ActuatedDesign expected = actuate_design(design, whole, {});
     ASSERT_TRUE(expected.end.at_rest);
     for (int reports : {1, 5, 11}) {
       const ActuatedDesign first = stopped_path(design, whole, reports);
@@ -294,7 +294,7 @@ TEST(ActuatedDesign, APathGoesOnAsItWouldHave) {
       ActuationOptions rest = whole;
       rest.start = first.frames.back();
       rest.memory = first.path.frames.back().memory;
-      const ActuatedDesign found = actuate_design(design, nullptr, rest, {});
+      const ActuatedDesign found = actuate_design(design, rest, {});
       EXPECT_EQ(found.frames.back(), expected.frames.back()) << reports;
       EXPECT_EQ(found.end.energy, expected.end.energy);
       EXPECT_EQ(found.end.open_contacts, expected.end.open_contacts);
@@ -307,18 +307,18 @@ TEST(ActuatedDesign, APathGoesOnFromAnyFrameThatItCameBy) {
   const Design design = dome(0.6);
   ActuationOptions options;
   options.answers = false;
-  const ActuatedDesign whole = actuate_design(design, nullptr, options, {});
+  const ActuatedDesign whole = actuate_design(design, options, {});
   const int steps = whole.path.steps;
   ASSERT_EQ(static_cast<int>(whole.frames.size()), steps + 1);  // all of them
   for (int k = 0; k < steps; k += std::max(1, steps / 6)) {
     options.start = whole.frames[k];
     options.memory = whole.path.frames[k].memory;
-    const ActuatedDesign found = actuate_design(design, nullptr, options, {});
+    const ActuatedDesign found = actuate_design(design, options, {});
     EXPECT_EQ(found.path.steps, steps - k);
     EXPECT_EQ(found.frames.back(), whole.frames.back()) << k;
     EXPECT_EQ(found.end.energy, whole.end.energy);
     // With another friction as well, it begins where the other came by.
-    const ActuatedDesign slippery = actuate_design(dome(0.1), nullptr, options, {});
+    const ActuatedDesign slippery = actuate_design(dome(0.1), options, {});
     EXPECT_EQ(slippery.frames.front(), whole.frames[k]);
     if (2 * k < steps) {
       EXPECT_LT(slippery.path.frames.back().friction, found.path.frames.back().friction);
@@ -331,7 +331,7 @@ TEST(ActuatedDesign, MemoriesAreEvenlyAlongAPathThatHasNoRoomForAll) {
   ActuationOptions options;
   options.answers = false;
   options.path.most_remembered = 40'000;
-  const std::vector<PathFrame> frames = actuate_design(design, nullptr, options, {}).path.frames;
+  const std::vector<PathFrame> frames = actuate_design(design, options, {}).path.frames;
   const double whole = frames.back().moved;
   Eigen::Index numbers = 0;
   double before = 0, furthest = 0;
@@ -355,15 +355,15 @@ TEST(ActuatedDesign, WhatJammedStaysWhereItIsWithItsMemory) {
   const Design design = dome(0.4);
   ActuationOptions options;
   options.answers = false;
-  const ActuatedDesign jammed = actuate_design(design, nullptr, options, {});
+  const ActuatedDesign jammed = actuate_design(design, options, {});
   options.start = jammed.frames.back();
   options.memory = jammed.path.frames.back().memory;
-  const ActuatedDesign found = actuate_design(design, nullptr, options, {});
+  const ActuatedDesign found = actuate_design(design, options, {});
   EXPECT_EQ(found.path.steps, 0);
   EXPECT_EQ(found.end.energy, jammed.end.energy);
   EXPECT_EQ(found.path.frames.back().memory, jammed.path.frames.back().memory);
   options.memory.reset();
-  EXPECT_GT(actuate_design(design, nullptr, options, {}).path.steps, 0);
+  EXPECT_GT(actuate_design(design, options, {}).path.steps, 0);
 }
 
 TEST(ActuatedDesign, RefusesAMemoryThatIsNotOfTheFrame) {
@@ -371,13 +371,13 @@ TEST(ActuatedDesign, RefusesAMemoryThatIsNotOfTheFrame) {
   ActuationOptions options;
   options.answers = false;
   options.path.max_steps = 20;
-  const ActuatedDesign first = actuate_design(design, nullptr, options, {});
+  const ActuatedDesign first = actuate_design(design, options, {});
   const Eigen::VectorXd& whole = first.path.frames.back().memory;
   options.path.max_steps = 1;
   options.start = first.frames.back();
   auto refuses = [&](const Eigen::VectorXd& memory) {
     options.memory = memory;
-    EXPECT_THROW(actuate_design(design, nullptr, options, {}), InvalidInput);
+    EXPECT_THROW(actuate_design(design, options, {}), InvalidInput);
   };
   refuses({});
   refuses(whole.head(whole.size() - 1));
@@ -393,7 +393,7 @@ TEST(ActuatedDesign, RefusesAMemoryThatIsNotOfTheFrame) {
       options.memory = memory;
       ++tried;
       try {
-        actuate_design(design, nullptr, options, {});
+        actuate_design(design, options, {});
       } catch (const InvalidInput&) {
         ++refused;
       } catch (const SolverFailure&) {
@@ -410,7 +410,7 @@ TEST(ActuatedDesign, RefusesAMemoryThatIsNotOfTheFrame) {
 TEST(ActuatedDesign, WhatDidNotComeToRestHasNoAnswer) {
   ActuationOptions options;
   options.path.max_steps = 3;
-  const ActuatedDesign found = actuate_design(dome(0.3), nullptr, options, {});
+  const ActuatedDesign found = actuate_design(dome(0.3), options, {});
   EXPECT_FALSE(found.end.at_rest);
   EXPECT_FALSE(found.arrives);
   EXPECT_FALSE(found.trap);
@@ -420,7 +420,7 @@ TEST(ActuatedDesign, WhatDidNotComeToRestHasNoAnswer) {
 TEST(ActuatedDesign, RefusesHandsThatHoldIt) {
   Design design = dome(0.3);
   design.parameters.gravity = "held";
-  EXPECT_THROW(actuate_design(design, nullptr, {}, {}), InvalidInput);
+  EXPECT_THROW(actuate_design(design, {}, {}), InvalidInput);
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ Design dome(const DomeOptions& options) {
 ActuatedDesign jammed(const Design& design, const ChosenTouch& touch = {}) {
   ActuationOptions options;
   options.touch = touch;
-  ActuatedDesign found = actuate_design(design, nullptr, options, {});
+  ActuatedDesign found = actuate_design(design, options, {});
   EXPECT_TRUE(found.hands);
   if (found.hands) {
     EXPECT_EQ(found.arrives, false);
@@ -51,7 +51,7 @@ Design find_dome_that_takes_touches(double tolerance) {
   for (double friction : {0.3, 0.5, 0.35, 0.45, 0.25, 0.4, 0.2}) {
     for (double curvature : {0.02, 0.025, 0.03, 0.018, 0.022, 0.015}) {
       Design design = dome({friction, tolerance, curvature, 3, 3, 1});
-      const ActuatedDesign found = actuate_design(design, nullptr, {}, {});
+      const ActuatedDesign found = actuate_design(design, {}, {});
       if (!found.hands || found.hands->shaken.open_contacts.empty()) continue;
       if (!found.hands->touches.empty() && found.hands->reached == Homecoming::home) return design;
     }
@@ -109,7 +109,7 @@ TEST(Hands, StoreNoMoreInAStepThanTheyGive) {
                                                              {0.3, 0.05, 0.02, 3, 2, 1},
                                                              {0.5, 0.05, 0.025, 2, 3, 1},
                                                              {0.5, 0.05, 0.03, 2, 3, 1}}) {
-    const ActuatedDesign found = actuate_design(dome(options), nullptr, {}, {});
+    const ActuatedDesign found = actuate_design(dome(options), {}, {});
     if (found.hands) {
       expect_to_go_on(found);
       ++by_hand;
@@ -225,7 +225,7 @@ TEST(Hands, RefuseTilesAndForcesThatCanNotBe) {
   ActuationOptions options;
   options.touch.tiles = {0};
   options.hands = false;
-  EXPECT_THROW(actuate_design(dome({0.2, 0.03}), nullptr, options, {}), InvalidInput);
+  EXPECT_THROW(actuate_design(dome({0.2, 0.03}), options, {}), InvalidInput);
 }
 
 TEST(Hands, AreTheSameWithAnyNumberOfThreads) {
@@ -248,7 +248,7 @@ TEST(Hands, AreTheSameWithAnyNumberOfThreads) {
 
 TEST(Hands, StoppedTheyLeaveThePathAndItsAnswers) {
   const ActuatedDesign found =
-      actuate_design(dome({0.4, 0.05}), nullptr, {},
+      actuate_design(dome({0.4, 0.05}), {},
                      [](const std::string& what, double) { return what != "shaking"; });
   EXPECT_TRUE(found.path.stopped);
   EXPECT_EQ(found.arrives, false);

@@ -45,7 +45,7 @@ struct FlatWorld {
   }
 
   static TileWorld made(const TileBodies& bodies, const Design& design) {
-    TileWorld out = make_tile_world(bodies, take_or_solve(nullptr, bodies.geometry, design, {}),
+    TileWorld out = make_tile_world(bodies, solve_design(bodies.geometry, design, {}),
                                     design.parameters.tile_modulus);
     for (PairLoads* corrections : out.corrections) corrections->loads.clear();
     return out;
@@ -123,7 +123,7 @@ ActuatedDesign released(const std::string& how, const Design& design = dome()) {
   ActuationOptions options;
   options.answers = false;
   options.release = how;
-  return actuate_design(design, nullptr, options, {});
+  return actuate_design(design, options, {});
 }
 
 TEST(Surplus, EveryReleaseEndsCutOutWithItsEnergyAccounted) {
@@ -172,7 +172,7 @@ TEST(Surplus, EveryReleaseEndsCutOutWithItsEnergyAccounted) {
     rest.answers = false;
     rest.start = found.frames.back();
     rest.memory = found.path.frames.back().memory;
-    EXPECT_EQ(actuate_design(dome(), nullptr, rest, {}).path.steps, 0);
+    EXPECT_EQ(actuate_design(dome(), rest, {}).path.steps, 0);
     ++which;
   }
 }
@@ -229,7 +229,7 @@ TEST(Surplus, StoppedOnItsRingsItKeepsThePathSoFarWithoutMemory) {
   options.release = "back-first";
   int reports = 3;
   const ActuatedDesign found =
-      actuate_design(dome(), nullptr, options, [&](const std::string& what, double fraction) {
+      actuate_design(dome(), options, [&](const std::string& what, double fraction) {
         EXPECT_LE(fraction, 1);
         reports -= what == "actuate" && fraction > 0;
         return reports > 0;
@@ -253,7 +253,7 @@ TEST(Surplus, RefusesWhatAReleaseCannotBe) {
   options.release = "together";
   options.start = FrameRows::Zero(design.T.rows(), 7);
   options.start->col(3).setOnes();
-  EXPECT_THROW(actuate_design(design, nullptr, options, {}), InvalidInput);
+  EXPECT_THROW(actuate_design(design, options, {}), InvalidInput);
   design.T.row(0).array() += 1e5;  // and its tile with it
   EXPECT_THROW(released("together", design), InfeasibleDesign);
 }

@@ -89,7 +89,7 @@ TEST(SettledDesign, IsTheSameWithAnyNumberOfThreads) {
   std::vector<SettledDesign> found;
   for (int threads : {1, 2, 4}) {
     set_thread_count(threads);
-    found.push_back(settle_design(design, nullptr, {}));
+    found.push_back(settle_design(design, {}));
   }
   set_thread_count(1);
   for (const SettledDesign& other : found) {
@@ -109,7 +109,7 @@ TEST(SettledDesign, IsTheSameWithAnyNumberOfThreads) {
 }
 
 TEST(SettledDesign, AScanIsOfTheShapeThatSettled) {
-  const SettledDesign found = settle_design(dome(), nullptr, {});
+  const SettledDesign found = settle_design(dome(), {});
   EXPECT_GT(found.scan.mean, 0);
   EXPECT_LE(found.scan.mean, found.scan.rms);
   EXPECT_LE(found.scan.rms, found.scan.largest);
@@ -383,7 +383,7 @@ TEST(SettledDesign, DoesNotHoldWithoutFriction) {
   Design design = dome();
   design.parameters.friction_coefficient = 0.01;
   design.parameters.hold_tolerance = 0.001;
-  const SettledDesign found = settle_design(design, nullptr, {});
+  const SettledDesign found = settle_design(design, {});
   ASSERT_TRUE(found.holds.has_value());
   EXPECT_FALSE(*found.holds);
   ASSERT_TRUE(found.failure.has_value());
@@ -396,7 +396,7 @@ TEST(SettledDesign, AWindowsEndsAreWhereItHoldsAndWhatFailsBeyond) {
   Design design = dome();
   design.parameters.friction_coefficient = 1;
   design.parameters.window = true;
-  const SettledDesign found = settle_design(design, nullptr, {});
+  const SettledDesign found = settle_design(design, {});
   ASSERT_TRUE(found.holds.value_or(false));
   ASSERT_FALSE(found.window.empty());
   for (const WindowRange& range : found.window) {
@@ -414,8 +414,7 @@ TEST(SettledDesign, AWindowsEndsAreWhereItHoldsAndWhatFailsBeyond) {
 }
 
 TEST(SettledDesign, StopsWhereItIsAskedTo) {
-  EXPECT_THROW(settle_design(dome(), nullptr,
-                             [](const std::string& what, double) { return what != "settle"; }),
+  EXPECT_THROW(settle_design(dome(), [](const std::string& what, double) { return what != "settle"; }),
                Cancelled);
 }
 

@@ -104,7 +104,7 @@ TEST_F(Convergence, TheDefaultsErrorIsSmallAndStated) {
   EXPECT_LT(error, 0.015);
   EXPECT_LT(error, 0.5 * normal_error(wrenches_[1]));
   EXPECT_LT(force_error(extrapolated), force_error(wrenches_[1]));
-  const VerificationReport report = verify_design(design_, {}, {});
+  const VerificationReport report = verify_design(design_, {});
   EXPECT_LT(error, report.physics.normal_force_error);
   EXPECT_LT(report.physics.normal_force_error, 0.015);
 }
@@ -116,7 +116,7 @@ TEST_F(Convergence, TheStretchOfAllButAHundredthConverges) {
   for (int k = 0; k < 4; ++k) {
     Design finer = design_;
     finer.parameters.mesh_size = 0.65 / (1 << k);
-    const VerificationReport report = verify_design(finer, {}, {});
+    const VerificationReport report = verify_design(finer, {});
     of_most[k] = report.physics.stretch_99;
     largest[k] = report.physics.largest_stretch;
   }

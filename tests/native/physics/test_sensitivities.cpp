@@ -3,7 +3,6 @@
 
 #include <random>
 
-#include "curveups/bodies/bumps.hpp"
 #include "curveups/physics/sensitivities.hpp"
 #include "support/forces.hpp"
 #include "support/meshes.hpp"
@@ -121,14 +120,9 @@ TEST(Sensitivities, MatchFiniteDifferencesOnACutModel) {
   expect_gradients_match(cuts, "tension-field");
 }
 
-BalanceSystem system_at(const DesignForces& forces, const std::vector<ContactPoint>& points) {
-  return BalanceSystem(points, forces.system().centres(), forces.system().lever(), {});
-}
-
-// The largest floor of the unilateral problem at these points.
-UnilateralResult largest_floor(const DesignForces& forces, const std::vector<ContactPoint>& points,
-                               double friction, double scale) {
-  BalanceSystem system = system_at(forces, points);
+UnilateralResult largest_floor(const DesignForces& forces, double friction, double scale) {
+  BalanceSystem system(forces.system().points(), forces.system().centres(), forces.system().lever(),
+                       {});
   UnilateralOptions options;
   options.friction_coefficient = friction;
   options.scale = scale;
@@ -137,34 +131,21 @@ UnilateralResult largest_floor(const DesignForces& forces, const std::vector<Con
   return solve_unilateral(system, forces.loads(), start.force, options);
 }
 
-void expect_floor_gradients_match(bool at_tips) {
+TEST(Sensitivities, OfTheLargestFloorMatchFiniteDifferences) {
   Edges cuts(2, 2);
   cuts << 10, 11, 11, 12;
   Sample s = make_sample(cuts);
   DesignForces forces = test::solve_forces(s.geometry, s.parameters, s.poses, s.q);
   const double scale = forces.contact_forces().normal_mean;
-  TouchPoints touch;
-  if (at_tips) {
-    touch =
-        tie_to_corners(forces.system().points(),
-                       bump_tips(plan_bumps(s.geometry, s.poses, s.parameters), s.geometry.tiles));
-    ASSERT_NE(touch.points.size(), forces.system().points().size());
-  }
-  auto points = [&] {
-    if (!at_tips) return forces.system().points();
-    EXPECT_TRUE(follow_corners(forces.system().points(), touch));
-    return touch.points;
-  };
   const TriangleMesh mesh = s.geometry.tiles.mesh;
   const VertexPatches patches(s.geometry);
   std::vector<VertexPatch> vertices;
   for (int v = 0; v < mesh.V.rows(); ++v) vertices.push_back(patches.around(v));
   for (double friction : {0.3, 1.0}) {
-    const UnilateralResult here = largest_floor(forces, points(), friction, scale);
+    const UnilateralResult here = largest_floor(forces, friction, scale);
     ASSERT_NE(here.solve.status, SolveStatus::unfinished);
     ASSERT_LT(here.largest_floor, 0.999 * scale);
-    const ForceGradient gradient = floor_gradient(forces, system_at(forces, points()),
-                                                  at_tips ? &touch : nullptr, here, vertices);
+    const ForceGradient gradient = floor_gradient(forces, here, vertices);
     const int count = s.geometry.tiles.tile_count();
     std::mt19937 generator(5);
     std::uniform_real_distribution<double> uniform(-1, 1);
@@ -188,7 +169,7 @@ void expect_floor_gradients_match(bool at_tips) {
         const DesignGeometry moved =
             make_geometry({mesh.V + h * vertex, mesh.F}, s.cuts, s.parameters);
         forces.move(moved, s.poses + h * pose, s.q + h * inset, {});
-        values[m] = largest_floor(forces, points(), friction, scale).largest_floor;
+        values[m] = largest_floor(forces, friction, scale).largest_floor;
       }
       forces.move(s.geometry, s.poses, s.q, {});
       const double difference = (values[1] - values[0]) / (2 * step);
@@ -201,14 +182,6 @@ void expect_floor_gradients_match(bool at_tips) {
       EXPECT_NEAR(exact, difference, 1e-3 * size) << "friction " << friction << " kind " << kind;
     }
   }
-}
-
-TEST(Sensitivities, OfTheLargestFloorMatchFiniteDifferences) {
-  expect_floor_gradients_match(false);
-}
-
-TEST(Sensitivities, OfTheLargestFloorAtBumpTipsMatchFiniteDifferences) {
-  expect_floor_gradients_match(true);
 }
 
 TEST(Sensitivities, ForcesStayWhereTheWholeLayoutMovesAndComesBack) {

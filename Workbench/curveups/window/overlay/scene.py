@@ -249,7 +249,7 @@ def membranes_of(design: Any, job: Any) -> tuple[Membrane, ...]:
     nothing is between the pins."""
     found, get = [], design.parameters.get
     top = _height(design.parameters) + get("H_pin")
-    for side, z in zip(native.verify_design(design, native.SolutionStore(), job).membranes, (top, 0.0)):
+    for side, z in zip(native.verify_design(design, job).membranes, (top, 0.0)):
         if len(side.triangles):
             flat = np.column_stack([side.flat, np.full(len(side.flat), z)])
             found.append(Membrane(flat, side.actuated, side.triangles, np.max(side.stretch, axis=1)))
