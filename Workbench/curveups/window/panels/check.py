@@ -77,7 +77,7 @@ class CheckPanel(Panel):
     def _find(self) -> None:
         self._say("")
         with errors_shown(translate("CurveUps_Check", "Find Sizes")):
-            runs.start("find_sizes", self.design)
+            runs.start("find_sizes", self.design, self._fill)
 
     def show(self) -> None:
         """The overlay has changed, which it does with every change of the design."""
