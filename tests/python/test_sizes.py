@@ -17,6 +17,7 @@ from curveups.stages.feasibility import examine
 from curveups.stages.stage import Job
 from curveups.stages.surface import Source
 from curveups.targets.cad_files import Read
+from shapes import sphere
 
 
 def dome(radius=60.0, parts=30):
@@ -109,6 +110,14 @@ def test_the_command_line_says_where_no_size_gives_a_valid_design(curveups, cap,
     values = json.loads((tmp_path / "design.json").read_text("utf-8"))["parameters"]
     assert f"H_body = {values['H_body']:g} mm is chosen" in ran.err
     assert ran.err.count("tried H_body = ") > 1, ran.err
+
+
+def test_a_closed_surface_is_opened_before_sizes_are_tried():
+    of = project(*sphere(spacing=4.0), L=14.0, run_verification=False)
+    of.give("cut request", CutRequest(suggested=1))
+    choice = choose(of, "H_body")
+    request = choice.project.latest("cut request")
+    assert choice.valid and len(request.edges) and not request.suggested
 
 
 def test_a_choice_can_be_stopped():

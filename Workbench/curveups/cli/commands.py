@@ -58,7 +58,7 @@ def design(options: Any, session: Session) -> int:
     cuts = replace(cuts, suggested=options.auto_cuts)
     project = _project(options, cuts, session, not options.no_remesh)
     job = session.job
-    if cuts.suggested:
+    if (cuts := project.latest("cut request")).suggested:
         project.give("cut request", cuts.accept(project.run(("cut search",), job)["cut search"]))
     goals = (*asked_by("solve"), *asked_by("settle", *(() if options.no_solids else ("print",))))
     results = project.run(goals, job)

@@ -146,6 +146,12 @@ class _Search:
                                                        of=len(found.F)),)))
         return None
 
+    def _open(self, twin: Project) -> None:
+        """Makes the cuts that are to be looked for, where a surface is closed."""
+        request, found = twin.latest("cut request"), twin.latest("feasibility")
+        if request.suggested and any(one.obstacle == "closed" for one in found.blocked):
+            twin.give("cut request", request.accept(twin.run(("cut search",), self._job)["cut search"]))
+
     def solve(self, values: Mapping[str, float]) -> bool:
         """Makes and verifies a design with these values; whether it is valid, or not refuted where
         verification is off."""
@@ -153,6 +159,7 @@ class _Search:
         if twin is None:
             return False
         try:
+            self._open(twin)
             results = twin.run(GOALS, Job(self._job))  # nobody watches its iterates
         except CurveUpsError as error:
             self.tried.append(Tried(values, (failed("tried.error", error),)))
