@@ -8,32 +8,12 @@
       <translation>Aufrichten</translation>
     </message>
     <message>
-      <source>At rest</source>
-      <translation>In Ruhe</translation>
-    </message>
-    <message>
-      <source>Back membrane first</source>
-      <translation>Hintere Membran zuerst</translation>
-    </message>
-    <message>
-      <source>Both membranes together</source>
-      <translation>Beide Membranen zusammen</translation>
-    </message>
-    <message>
       <source>Cancel</source>
       <translation>Abbrechen</translation>
     </message>
     <message>
       <source>Compute the Path</source>
       <translation>Weg berechnen</translation>
-    </message>
-    <message>
-      <source>Cut out</source>
-      <translation>Herausschneiden</translation>
-    </message>
-    <message>
-      <source>Cut the piece out of both membranes on their rings, or take the membranes off the rings first: all that is around the piece then pulls at it until it is cut off</source>
-      <translation>Das Stück aus beiden Membranen schneiden, solange sie auf ihren Ringen sind, oder die Membranen zuerst von den Ringen nehmen: Alles, was um das Stück herum ist, zieht dann an ihm, bis es abgeschnitten wird</translation>
     </message>
     <message>
       <source>End now and keep what there is so far</source>
@@ -48,32 +28,12 @@
       <translation>STEP exportieren…</translation>
     </message>
     <message>
-      <source>Find out how near to its shape the piece comes if hands press the selected tiles where it jams</source>
-      <translation>Herausfinden, wie nahe das Stück seiner Form kommt, wenn Hände die gewählten Kacheln drücken, wo es klemmt</translation>
-    </message>
-    <message>
-      <source>Find out where to press the piece by hand if it jams, which takes several times as long as the path</source>
-      <translation>Herausfinden, wo man das Stück mit der Hand drückt, wenn es klemmt; das dauert mehrmals so lange wie der Weg</translation>
-    </message>
-    <message>
       <source>Flat</source>
       <translation>Flach</translation>
     </message>
     <message>
-      <source>Front membrane first</source>
-      <translation>Vordere Membran zuerst</translation>
-    </message>
-    <message>
       <source>Let the piece rise from flat, as the design is now</source>
       <translation>Das Stück aus der Ebene aufsteigen lassen, wie der Entwurf jetzt ist</translation>
-    </message>
-    <message>
-      <source>Look for Touches</source>
-      <translation>Griffe suchen</translation>
-    </message>
-    <message>
-      <source>Make the design with other friction, bumps, gaps and thickness, and with a cut, and find out which brings it nearer to its shape. Each takes a path of its own</source>
-      <translation>Den Entwurf mit anderer Reibung, anderen Noppen, Spalten und Dicken und mit einem Schnitt machen und feststellen, was ihn seiner Form näher bringt. Jedes davon braucht einen eigenen Weg</translation>
     </message>
     <message>
       <source>Move the tiles along the path</source>
@@ -92,20 +52,12 @@
       <translation>Den Weg vom flachen Zustand bis zu seinem Ende abspielen</translation>
     </message>
     <message>
-      <source>Press Selected Tiles</source>
-      <translation>Gewählte Kacheln drücken</translation>
+      <source>Pressed</source>
+      <translation>Angedrückt</translation>
     </message>
     <message>
-      <source>Release</source>
-      <translation>Lösen von den Ringen</translation>
-    </message>
-    <message>
-      <source>Select the tiles of the contacts that stay open</source>
-      <translation>Die Kacheln der Kontakte auswählen, die offen bleiben</translation>
-    </message>
-    <message>
-      <source>Select the tiles that hands press</source>
-      <translation>Die Kacheln auswählen, die Hände drücken</translation>
+      <source>Select the tiles of the contacts that stay open at the end</source>
+      <translation>Die Kacheln der Kontakte auswählen, die am Ende offen bleiben</translation>
     </message>
     <message>
       <source>Stop</source>
@@ -114,14 +66,6 @@
     <message>
       <source>The path is out of date: the design has changed since</source>
       <translation>Der Weg ist veraltet: der Entwurf hat sich seither geändert</translation>
-    </message>
-    <message>
-      <source>Tiles to Press</source>
-      <translation>Zu drückende Kacheln</translation>
-    </message>
-    <message>
-      <source>Try Changes</source>
-      <translation>Änderungen probieren</translation>
     </message>
     <message>
       <source>Write the tiles as they are shown to a STEP file</source>
@@ -295,8 +239,8 @@
       <translation>Schubmodul der vorderen Membran (Latex). Von 0.001 bis 1000 MPa. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
-      <source>Shear stress that the glue between membranes and print withstands. A warning names pins that carry more. The verdict does not depend on it. From 0.001 to 100 MPa. Takes effect with Verify.</source>
-      <translation>Schubspannung, die der Kleber zwischen Membranen und Druck aushält. Eine Warnung nennt Zapfen, die mehr tragen. Das Urteil hängt nicht davon ab. Von 0.001 bis 100 MPa. Wirkt mit „Prüfen“.</translation>
+      <source>Shear stress that the glue between membranes and print withstands. Repair enlarges pins that carry more. Pins without room for that let go, and the verdict looks at what is left. From 0.001 to 100 MPa. Takes effect with Verify.</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>Smallest value to which p_min may shrink at sharp folds. Use the smallest feature that the printer makes. From 0 to 20 mm. Takes effect with Solve.</source>
@@ -762,10 +706,6 @@
       <translation>Warnung: {what}</translation>
     </message>
     <message>
-      <source>What would help</source>
-      <translation>Was helfen würde</translation>
-    </message>
-    <message>
       <source>does not hold</source>
       <translation>hält nicht</translation>
     </message>
@@ -821,24 +761,16 @@
       <translation>Alle Kontakte schließen sich</translation>
     </message>
     <message>
+      <source>Compute the shape of the built piece: released from flat, shaken, and pressed over its former</source>
+      <translation>Die Form des gebauten Stücks berechnen: flach losgelassen, geschüttelt und über seine Form gedrückt</translation>
+    </message>
+    <message>
       <source>Export STEP</source>
       <translation>STEP exportieren</translation>
     </message>
     <message>
-      <source>Frame {number} of {count}, {doing}: {energy} stored</source>
-      <translation>Bild {number} von {count}, {doing}: {energy} gespeichert</translation>
-    </message>
-    <message>
-      <source>Frame {number} of {count}: {energy} stored</source>
-      <translation>Bild {number} von {count}: {energy} gespeichert</translation>
-    </message>
-    <message>
-      <source>Hands press no tiles</source>
-      <translation>Hände drücken keine Kacheln</translation>
-    </message>
-    <message>
-      <source>Let the piece rise from flat under its membranes, and find out whether it arrives by itself and what holds it back</source>
-      <translation>Das Stück unter seinen Membranen aus der Ebene aufsteigen lassen und herausfinden, ob es von selbst in seine Form kommt und was es hindert</translation>
+      <source>Frame {number} of {count}, {load}: {energy} stored</source>
+      <translation>Bild {number} von {count}, {load}: {energy} gespeichert</translation>
     </message>
     <message>
       <source>Path of {name}</source>
@@ -853,10 +785,6 @@
       <translation>Abspielen</translation>
     </message>
     <message>
-      <source>There is no path that jams</source>
-      <translation>Es gibt keinen Weg, der klemmt</translation>
-    </message>
-    <message>
       <source>There is no path yet</source>
       <translation>Es gibt noch keinen Weg</translation>
     </message>
@@ -865,36 +793,16 @@
       <translation>Kacheln, wie sie zu sehen sind</translation>
     </message>
     <message>
-      <source>back membrane off its ring</source>
-      <translation>hintere Membran vom Ring gelöst</translation>
+      <source>pressed and let go</source>
+      <translation>angedrückt und losgelassen</translation>
     </message>
     <message>
-      <source>both membranes off their rings</source>
-      <translation>beide Membranen von den Ringen gelöst</translation>
+      <source>released</source>
+      <translation>losgelassen</translation>
     </message>
     <message>
-      <source>by hand, pressing</source>
-      <translation>mit der Hand gedrückt</translation>
-    </message>
-    <message>
-      <source>by hand, shaking</source>
-      <translation>mit der Hand gerüttelt</translation>
-    </message>
-    <message>
-      <source>cut out</source>
-      <translation>ausgeschnitten</translation>
-    </message>
-    <message>
-      <source>front membrane off its ring</source>
-      <translation>vordere Membran vom Ring gelöst</translation>
-    </message>
-    <message>
-      <source>no tile is selected</source>
-      <translation>keine Kachel ist gewählt</translation>
-    </message>
-    <message>
-      <source>select the tiles to press in the view</source>
-      <translation>die Kacheln, die gedrückt werden sollen, in der Ansicht wählen</translation>
+      <source>shaken</source>
+      <translation>geschüttelt</translation>
     </message>
     <message>
       <source>written: {path}</source>
@@ -1309,10 +1217,6 @@
       <translation>ein Schnitt nahe den genannten Kacheln gibt Spalten Platz</translation>
     </message>
     <message>
-      <source>a cut of {length:.0f mm}</source>
-      <translation>ein Schnitt von {length:.0f mm}</translation>
-    </message>
-    <message>
       <source>a cut of {length:.0f mm} {why:; }</source>
       <translation>ein Schnitt von {length:.0f mm}: {why:; }</translation>
     </message>
@@ -1353,10 +1257,6 @@
       <translation>eine Datei eines früheren Laufs lässt sich nicht entfernen: {0}</translation>
     </message>
     <message>
-      <source>a force presses no tile</source>
-      <translation>eine Kraft drückt keine Kachel</translation>
-    </message>
-    <message>
       <source>a kept edge names a vertex that there is not</source>
       <translation>eine behaltene Kante nennt einen Punkt, den es nicht gibt</translation>
     </message>
@@ -1391,10 +1291,6 @@
     <message>
       <source>a part or a hole of the surface is too small for edges of {0} mm</source>
       <translation>ein Teil oder ein Loch der Fläche ist zu klein für Kanten von {0} mm</translation>
-    </message>
-    <message>
-      <source>a piece with its surplus begins flat, without gravity</source>
-      <translation>ein Stück mit seiner überstehenden Membran beginnt flach und ohne Schwerkraft</translation>
     </message>
     <message>
       <source>a place beyond 10 m</source>
@@ -1443,10 +1339,6 @@
     <message>
       <source>a temporary file can't be written ({0})</source>
       <translation>eine temporäre Datei lässt sich nicht schreiben ({0})</translation>
-    </message>
-    <message>
-      <source>a tile is pressed twice</source>
-      <translation>eine Kachel wird zweimal gedrückt</translation>
     </message>
     <message>
       <source>a tolerance of {0} mm is out of range</source>
@@ -1509,14 +1401,6 @@
       <translation>hinterer Zapfen</translation>
     </message>
     <message>
-      <source>begin at a frame that has one</source>
-      <translation>bei einem Bild anfangen, das eines hat</translation>
-    </message>
-    <message>
-      <source>begin flat, with answers and hands, or name no tiles</source>
-      <translation>flach beginnen, mit Antworten und Händen, oder keine Kacheln nennen</translation>
-    </message>
-    <message>
       <source>body</source>
       <translation>Körper</translation>
     </message>
@@ -1565,24 +1449,8 @@
       <translation>Noppen würden in der Abwicklung den Nachbarn berühren</translation>
     </message>
     <message>
-      <source>by hand it comes into its shape: shake it ({taps} taps), lay it over the former of the kit, press {pressed} tiles to their places, {force:g N} a tile, shake it again and let go; then it is {shortfall:.3g mm} from the shape that it keeps, and {open} of {count} contacts stay open</source>
-      <translation>mit der Hand kommt es in seine Form: rütteln ({taps} Stöße), über die Form des Bausatzes legen, {pressed} Kacheln an ihre Plätze drücken, {force:g N} je Kachel, wieder rütteln und loslassen; dann ist es {shortfall:.3g mm} von der Form entfernt, die es behält, und {open} von {count} Kontakten bleiben offen</translation>
-    </message>
-    <message>
-      <source>by hand it comes into its shape: shake it ({taps} taps), press {touches:, } to their places, {force:g N} a tile, shake it again and let go; then it is {shortfall:.3g mm} from the shape that it keeps, and {open} of {count} contacts stay open</source>
-      <translation>mit der Hand kommt es in seine Form: rütteln ({taps} Stöße), {touches:, } an ihre Plätze drücken, {force:g N} je Kachel, wieder rütteln und loslassen; dann ist es {shortfall:.3g mm} von der Form entfernt, die es behält, und {open} von {count} Kontakten bleiben offen</translation>
-    </message>
-    <message>
-      <source>by hand it does not come home: shaken ({taps} taps), with {pressed} tiles pressed to their places, {force:g N} a tile, shaken again and let go, it is {shortfall:.3g mm} short of its shape, and {open} of {count} contacts stay open</source>
-      <translation>mit der Hand kommt es nicht in seine Form: gerüttelt ({taps} Stöße), mit {pressed} Kacheln an ihre Plätze gedrückt, {force:g N} je Kachel, wieder gerüttelt und losgelassen fehlen ihm {shortfall:.3g mm} zu seiner Form, und {open} von {count} Kontakten bleiben offen</translation>
-    </message>
-    <message>
       <source>can't write {0}: {1}</source>
       <translation>{0} lässt sich nicht schreiben: {1}</translation>
-    </message>
-    <message>
-      <source>changes are tried from flat alone</source>
-      <translation>Änderungen werden nur von flach aus probiert</translation>
     </message>
     <message>
       <source>check contact points and forces for numbers that are not finite</source>
@@ -1671,10 +1539,6 @@
     <message>
       <source>choose one of {0}</source>
       <translation>eines davon wählen: {0}</translation>
-    </message>
-    <message>
-      <source>choose the release cut, or begin flat and set gravity to off</source>
-      <translation>das Lösen cut wählen, oder flach beginnen und die Schwerkraft auf off setzen</translation>
     </message>
     <message>
       <source>clean the mesh first</source>
@@ -1901,10 +1765,6 @@
       <translation>Reibungszahl und Kraftmaßstab müssen positiv sein</translation>
     </message>
     <message>
-      <source>friction holds it back: with a coefficient of {reach:.3g} it arrives</source>
-      <translation>Die Reibung hält es zurück: mit einer Reibungszahl von {reach:.3g} kommt es in seine Form</translation>
-    </message>
-    <message>
       <source>front</source>
       <translation>vorn</translation>
     </message>
@@ -1965,18 +1825,6 @@
       <translation>ein Bild dieses Entwurfs angeben</translation>
     </message>
     <message>
-      <source>give a frame of this design, or take its memory out</source>
-      <translation>ein Bild dieses Entwurfs angeben, oder dessen Gedächtnis entfernen</translation>
-    </message>
-    <message>
-      <source>give a frames.json of 'curveups actuate'</source>
-      <translation>eine frames.json von „curveups actuate“ angeben</translation>
-    </message>
-    <message>
-      <source>give a number above 0 N, up to {0} N</source>
-      <translation>geben Sie eine Zahl über 0 N an, höchstens {0} N</translation>
-    </message>
-    <message>
       <source>give a number, a text or true or false</source>
       <translation>eine Zahl, einen Text, true oder false angeben</translation>
     </message>
@@ -1991,10 +1839,6 @@
     <message>
       <source>give another folder (-o)</source>
       <translation>geben Sie einen anderen Ordner an (-o)</translation>
-    </message>
-    <message>
-      <source>give another force</source>
-      <translation>eine andere Kraft angeben</translation>
     </message>
     <message>
       <source>give another plane with open</source>
@@ -2025,10 +1869,6 @@
       <translation>Ecken der Reihe nach angeben, ohne Überkreuzungen</translation>
     </message>
     <message>
-      <source>give cut, together, front-first or back-first</source>
-      <translation>cut, together, front-first oder back-first angeben</translation>
-    </message>
-    <message>
       <source>give cuts as polylines, or L as a number</source>
       <translation>Schnitte als Linienzüge angeben oder L als Zahl</translation>
     </message>
@@ -2043,10 +1883,6 @@
     <message>
       <source>give edges or polylines</source>
       <translation>edges oder polylines angeben</translation>
-    </message>
-    <message>
-      <source>give flat, target or a frames.json of 'curveups actuate'</source>
-      <translation>flat, target oder eine frames.json von „curveups actuate“ angeben</translation>
     </message>
     <message>
       <source>give it an outline</source>
@@ -2185,18 +2021,6 @@
       <translation>die Schwerkraft hat keine Richtung: gravity_direction ist {0}</translation>
     </message>
     <message>
-      <source>gravity=held holds tiles where they are when actuated</source>
-      <translation>gravity=held hält Kacheln dort, wo sie in Form sind</translation>
-    </message>
-    <message>
-      <source>hands press where a path from flat ends</source>
-      <translation>Hände drücken, wo ein Weg aus der Ebene endet</translation>
-    </message>
-    <message>
-      <source>hands press with a force above 0 N, up to 1e6 N</source>
-      <translation>Hände drücken mit einer Kraft über 0 N, bis 1e6 N</translation>
-    </message>
-    <message>
       <source>height of the pins</source>
       <translation>Höhe der Zapfen</translation>
     </message>
@@ -2233,32 +2057,12 @@
       <translation>Ist sie in Metern oder Zoll? scale setzen (1000 oder 25.4) oder ein kleineres L wählen</translation>
     </message>
     <message>
-      <source>it arrives by itself, {shortfall:.3g mm} from the shape that it keeps</source>
-      <translation>Das Stück kommt von selbst in seine Form, {shortfall:.3g mm} von der, die es behält</translation>
-    </message>
-    <message>
-      <source>it does not arrive by itself: all contacts close, {shortfall:.3g mm} from the shape that it keeps (hold_tolerance allows {most:.3g mm})</source>
-      <translation>Das Stück kommt nicht von selbst in seine Form: alle Kontakte schließen sich, {shortfall:.3g mm} von der Form, die es behält (hold_tolerance erlaubt {most:.3g mm})</translation>
-    </message>
-    <message>
-      <source>it does not arrive by itself: it comes to rest {shortfall:.3g mm} short of its shape, and {open} of {count} contacts stay open: {contacts:8}</source>
-      <translation>Das Stück kommt nicht von selbst in seine Form: es bleibt {shortfall:.3g mm} davor stehen, und {open} von {count} Kontakten bleiben offen: {contacts:8}</translation>
-    </message>
-    <message>
       <source>it runs through {other}, another part of the target, and no plane parts them</source>
       <translation>sie geht durch {other}, einen anderen Teil der Zielfläche, und keine Ebene trennt sie</translation>
     </message>
     <message>
       <source>it was not verified: Verify judges it</source>
       <translation>der Entwurf wurde nicht geprüft: „Prüfen“ beurteilt ihn</translation>
-    </message>
-    <message>
-      <source>it would not arrive without friction either: it comes to rest {distance:.3g mm} from where the actuated piece does</source>
-      <translation>Auch ohne Reibung käme es nicht in seine Form: es bleibt {distance:.3g mm} von dort stehen, wo das aktuierte Stück zur Ruhe kommt</translation>
-    </message>
-    <message>
-      <source>it would not arrive without friction either: it comes to rest {distance:.3g mm} from where the actuated piece does; tiles that are no neighbours wedge: {pairs:8}</source>
-      <translation>Auch ohne Reibung käme es nicht in seine Form: es bleibt {distance:.3g mm} von dort stehen, wo das aktuierte Stück zur Ruhe kommt; Kacheln, die keine Nachbarn sind, verkeilen sich: {pairs:8}</translation>
     </message>
     <message>
       <source>its first word has to be OFF</source>
@@ -2305,10 +2109,6 @@
       <translation>diese Kacheln ohne Überlappung auslegen</translation>
     </message>
     <message>
-      <source>lay tiles out without overlap</source>
-      <translation>Kacheln ohne Überlappung abwickeln</translation>
-    </message>
-    <message>
       <source>layout</source>
       <translation>Abwicklung</translation>
     </message>
@@ -2317,16 +2117,8 @@
       <translation>lassen Sie --compensate weg, oder ändern Sie den Entwurf</translation>
     </message>
     <message>
-      <source>leave --from out</source>
-      <translation>--from weglassen</translation>
-    </message>
-    <message>
       <source>leave out the cut there, or cut elsewhere</source>
       <translation>den Schnitt dort weglassen oder anderswo schneiden</translation>
-    </message>
-    <message>
-      <source>leave {0} out</source>
-      <translation>{0} weglassen</translation>
     </message>
     <message>
       <source>let it be cut open (--auto-cuts 1) or divided (pieces=auto), give --cuts, or remove a part of it</source>
@@ -2363,10 +2155,6 @@
     <message>
       <source>looking for cuts</source>
       <translation>Schnitte suchen</translation>
-    </message>
-    <message>
-      <source>looking for touches</source>
-      <translation>Griffe werden gesucht</translation>
     </message>
     <message>
       <source>lower A_pin_floor or H_body, raise L, or set joint to none</source>
@@ -2501,24 +2289,12 @@
       <translation>Flächen nennen, wie FreeCAD es tut, ab 1: Face3,Face7-9</translation>
     </message>
     <message>
-      <source>name it once</source>
-      <translation>sie einmal nennen</translation>
-    </message>
-    <message>
       <source>name it without slashes</source>
       <translation>ihn ohne Schrägstriche nennen</translation>
     </message>
     <message>
-      <source>name some with --press</source>
-      <translation>welche mit --press nennen</translation>
-    </message>
-    <message>
       <source>name the faces (--set faces=Face1,Face2), or leave skin at outer</source>
       <translation>die Flächen nennen (--set faces=Face1,Face2) oder skin auf outer lassen</translation>
-    </message>
-    <message>
-      <source>name the tiles</source>
-      <translation>die Kacheln nennen</translation>
     </message>
     <message>
       <source>name the tiles of all markers, or of none</source>
@@ -2593,16 +2369,8 @@
       <translation>diese Zielfläche gibt es nicht</translation>
     </message>
     <message>
-      <source>no touches that were tried bring it home: of {tried}, with up to {force:g N} on every tile, the best leave it {shortfall:.3g mm} short of its shape and {open} of {count} contacts open</source>
-      <translation>kein Griff, der versucht wurde, bringt es in seine Form: von {tried}, mit bis zu {force:g N} auf jeder Kachel, lässt der beste {shortfall:.3g mm} bis zu ihr und {open} von {count} Kontakten offen</translation>
-    </message>
-    <message>
       <source>no volume</source>
       <translation>kein Volumen</translation>
-    </message>
-    <message>
-      <source>none of {tried} changes that were tried gives a valid design that comes nearer to its shape</source>
-      <translation>keine von {tried} probierten Änderungen gibt einen gültigen Entwurf, der seiner Form näher kommt</translation>
     </message>
     <message>
       <source>notch of the bridge</source>
@@ -2745,12 +2513,12 @@
       <translation>Linienzug {0} hat einen Punkt, der {1} mm von der Zielfläche entfernt ist</translation>
     </message>
     <message>
-      <source>press it into its shape by hand</source>
-      <translation>von Hand in seine Form drücken</translation>
+      <source>pressed and let go, the tiles do not come to rest</source>
+      <translation>angedrückt und losgelassen kommen die Kacheln nicht zur Ruhe</translation>
     </message>
     <message>
-      <source>press tiles from 0 to {0}</source>
-      <translation>Kacheln von 0 bis {0} drücken</translation>
+      <source>pressed over its former ({force_n:.3g N} a tile) and let go, it comes to rest {mean:.3g mm} from the design in the mean, {largest:.3g mm} at most; {open} of {count} contacts stay open</source>
+      <translation>über seine Form gedrückt ({force_n:.3g N} je Kachel) und losgelassen kommt es {mean:.3g mm} im Mittel, höchstens {largest:.3g mm} neben dem Entwurf zur Ruhe; {open} von {count} Kontakten bleiben offen</translation>
     </message>
     <message>
       <source>pressing</source>
@@ -2759,10 +2527,6 @@
     <message>
       <source>process window</source>
       <translation>Toleranzfenster</translation>
-    </message>
-    <message>
-      <source>with a friction coefficient of {mu:.3g} pushing forces are not known to reach f_min = {f_min:.3g N} where only bumps' tips touch</source>
-      <translation>Mit dem Reibungskoeffizienten {mu:.3g} ist von drückenden Kräften nicht bekannt, dass sie f_min = {f_min:.3g N} erreichen, wo nur Noppenspitzen sich berühren</translation>
     </message>
     <message>
       <source>pushing forces within friction {mu:.3g} leave a least normal force of {least:.3g N}, less than f_min = {f_min:.3g N}, first at {contacts:8}{more}</source>
@@ -2815,6 +2579,14 @@
     <message>
       <source>registering the scan</source>
       <translation>Scan ausrichten</translation>
+    </message>
+    <message>
+      <source>released, it comes to rest {mean:.3g mm} from the design in the mean, {largest:.3g mm} at most; {open} of {count} contacts stay open</source>
+      <translation>losgelassen kommt es {mean:.3g mm} im Mittel, höchstens {largest:.3g mm} neben dem Entwurf zur Ruhe; {open} von {count} Kontakten bleiben offen</translation>
+    </message>
+    <message>
+      <source>released, the tiles do not come to rest</source>
+      <translation>losgelassen kommen die Kacheln nicht zur Ruhe</translation>
     </message>
     <message>
       <source>remesh the surface</source>
@@ -2965,10 +2737,6 @@
       <translation>bumps auf none setzen oder bump_height erhöhen</translation>
     </message>
     <message>
-      <source>set gravity to off or resting: a piece that rises is held nowhere</source>
-      <translation>gravity auf off oder resting setzen: ein Stück, das sich aufrichtet, wird nirgends gehalten</translation>
-    </message>
-    <message>
       <source>set mend=on ({actions})</source>
       <translation>mend=on setzen ({actions})</translation>
     </message>
@@ -3001,16 +2769,12 @@
       <translation>Tragverhalten</translation>
     </message>
     <message>
-      <source>shake it, and press it home by hand where contacts are open</source>
-      <translation>schütteln und von Hand andrücken, wo Kontakte offen sind</translation>
+      <source>shaken ({taps} taps), it comes to rest {mean:.3g mm} from the design in the mean, {largest:.3g mm} at most; {open} of {count} contacts stay open</source>
+      <translation>geschüttelt ({taps} Stöße) kommt es {mean:.3g mm} im Mittel, höchstens {largest:.3g mm} neben dem Entwurf zur Ruhe; {open} von {count} Kontakten bleiben offen</translation>
     </message>
     <message>
-      <source>shaken, it comes home: after {taps} taps it is {shortfall:.3g mm} from the shape that it keeps, and {open} of {count} contacts stay open</source>
-      <translation>gerüttelt kommt es in seine Form: nach {taps} Stößen ist es {shortfall:.3g mm} von der Form entfernt, die es behält, und {open} von {count} Kontakten bleiben offen</translation>
-    </message>
-    <message>
-      <source>shaken, it comes into its shape: after {taps} taps it is {shortfall:.3g mm} from the shape that it keeps; {open} of {count} contacts stay open, and none of {tried} touches that were tried closes them</source>
-      <translation>gerüttelt kommt es in seine Form: nach {taps} Stößen ist es {shortfall:.3g mm} von der Form entfernt, die es behält; {open} von {count} Kontakten bleiben offen, und keiner von {tried} versuchten Griffen schließt sie</translation>
+      <source>shaken, the tiles do not come to rest</source>
+      <translation>geschüttelt kommen die Kacheln nicht zur Ruhe</translation>
     </message>
     <message>
       <source>shaking</source>
@@ -3193,36 +2957,20 @@
       <translation>das Bild hat Lagen von {0} Kacheln, der Entwurf hat {1}</translation>
     </message>
     <message>
-      <source>the frame that it begins at has no memory that this design can use: contacts forget what friction held, and it may end elsewhere than the path that came by there</source>
-      <translation>Das Bild, bei dem es anfängt, hat kein Gedächtnis, das zu diesem Entwurf passt: Kontakte vergessen, was die Reibung hielt, und es kann anderswo enden als der Lauf, der dort vorbeikam</translation>
-    </message>
-    <message>
-      <source>the frame's memory is not of this design</source>
-      <translation>das Gedächtnis des Bildes gehört nicht zu diesem Entwurf</translation>
-    </message>
-    <message>
-      <source>the frame's memory is of other poses</source>
-      <translation>das Gedächtnis des Bildes gehört zu anderen Lagen</translation>
-    </message>
-    <message>
       <source>the frame's pose of {0} is no rigid motion</source>
       <translation>die Lage von {0} im Bild ist keine starre Bewegung</translation>
-    </message>
-    <message>
-      <source>the frames can't be read: {0}</source>
-      <translation>die Bilder können nicht gelesen werden: {0}</translation>
     </message>
     <message>
       <source>the front or back face of {0} tiles vanishes or turns inside out</source>
       <translation>Vorder- oder Rückseite von {0} Kacheln verschwindet oder stülpt sich um</translation>
     </message>
     <message>
-      <source>the glue on the {side} pin of {tile} carries {shear:.3g MPa} of shear</source>
-      <translation>Der Kleber auf dem Zapfen ({side}) von {tile} trägt {shear:.3g MPa} Schub</translation>
-    </message>
-    <message>
       <source>the glue on pins of {overloaded:8} may let go: on the {side} pin of {tile} it carries {shear:.3g MPa} of shear, more than glue_strength ({limit:.3g MPa})</source>
       <translation>Der Kleber auf Zapfen von {overloaded:8} lässt vielleicht los: Am Zapfen ({side}) von {tile} trägt er {shear:.3g MPa} Schub, mehr als glue_strength ({limit:.3g MPa})</translation>
+    </message>
+    <message>
+      <source>the glue on the {side} pin of {tile} carries {shear:.3g MPa} of shear</source>
+      <translation>Der Kleber auf dem Zapfen ({side}) von {tile} trägt {shear:.3g MPa} Schub</translation>
     </message>
     <message>
       <source>the layout breaks constraints that small steps can't restore</source>
@@ -3243,10 +2991,6 @@
     <message>
       <source>the layout is badly stretched: its flat map scales tiles {spread:.3g} times differently, and the membrane is slack at {slack} places</source>
       <translation>Die Abwicklung ist stark verzerrt: ihre flache Karte skaliert Kacheln {spread:.3g}-fach verschieden, und die Membran ist an {slack} Stellen schlaff</translation>
-    </message>
-    <message>
-      <source>the layout is wider than 10 m or 1000 tiles</source>
-      <translation>die Abwicklung ist breiter als 10 m oder 1000 Kacheln</translation>
     </message>
     <message>
       <source>the layout is {0} m wide</source>
@@ -3351,6 +3095,10 @@
     <message>
       <source>the part is drawn {wall:.3g mm} thick, tiles are {H_body:g mm} thick</source>
       <translation>Das Teil ist {wall:.3g mm} dick gezeichnet, Kacheln sind {H_body:g mm} dick</translation>
+    </message>
+    <message>
+      <source>the path from flat was stopped before its end</source>
+      <translation>der Weg vom flachen Zustand wurde vor seinem Ende angehalten</translation>
     </message>
     <message>
       <source>the piece of {tile} tips over on the table: its weight acts beside the corners on which it stands</source>
@@ -3525,10 +3273,6 @@
       <translation>die Membran ({0}) zwischen {1} faltet sich in der Abwicklung über sich selbst</translation>
     </message>
     <message>
-      <source>the {0} membrane folds over itself at the layout's border</source>
-      <translation>die Membran ({0}) faltet sich am Rand der Abwicklung über sich selbst</translation>
-    </message>
-    <message>
       <source>the {0} membrane found no equilibrium</source>
       <translation>die Membran ({0}) fand kein Gleichgewicht</translation>
     </message>
@@ -3597,20 +3341,8 @@
       <translation>es gibt noch keinen Weg</translation>
     </message>
     <message>
-      <source>there is no release '{0}'</source>
-      <translation>es gibt kein Lösen „{0}“</translation>
-    </message>
-    <message>
       <source>there is no target</source>
       <translation>es gibt keine Zielfläche</translation>
-    </message>
-    <message>
-      <source>there is no tile to press</source>
-      <translation>es gibt keine Kachel zu drücken</translation>
-    </message>
-    <message>
-      <source>there is no tile {0}</source>
-      <translation>es gibt keine Kachel {0}</translation>
     </message>
     <message>
       <source>there is no {0}</source>
@@ -3631,10 +3363,6 @@
     <message>
       <source>there is not enough memory</source>
       <translation>der Speicher reicht nicht</translation>
-    </message>
-    <message>
-      <source>these are no frames</source>
-      <translation>das sind keine Bilder eines Wegs</translation>
     </message>
     <message>
       <source>these limits are estimates: Solve tells whether a design is valid</source>
@@ -3675,10 +3403,6 @@
     <message>
       <source>tiles and a soluble slab are of two materials, which can't be one shell</source>
       <translation>Kacheln und eine lösliche Platte sind aus zwei Materialien, die keine gemeinsame Hülle haben können</translation>
-    </message>
-    <message>
-      <source>tiles are pressed by hands, where a path from flat ends</source>
-      <translation>Kacheln werden von Händen gedrückt, wo ein Weg aus der Ebene endet</translation>
     </message>
     <message>
       <source>tiles are up to {distance:.2f mm} from the target, more than mend_max ({most:g mm}): they can't follow its corners and edges</source>
@@ -3793,24 +3517,8 @@
       <translation>Wände stehen um {set:g mm} zurück für das, was Drucke wachsen; ein {printer} lässt Wände um {grows:g mm} wachsen: xy_compensation erhöhen</translation>
     </message>
     <message>
-      <source>what brings it home by hand is not known: it was stopped</source>
-      <translation>was es mit der Hand in seine Form bringt, ist nicht bekannt: es wurde abgebrochen</translation>
-    </message>
-    <message>
       <source>where its tiles settle could not be found</source>
       <translation>wo sich seine Kacheln setzen, war nicht zu finden</translation>
-    </message>
-    <message>
-      <source>whether it arrives is not known: it was stopped</source>
-      <translation>Ob das Stück von selbst in seine Form kommt, ist nicht bekannt: der Lauf wurde angehalten</translation>
-    </message>
-    <message>
-      <source>whether it arrives is not known: the tiles do not come to rest</source>
-      <translation>Ob das Stück von selbst in seine Form kommt, ist nicht bekannt: die Kacheln kommen nicht zur Ruhe</translation>
-    </message>
-    <message>
-      <source>whether it comes home by hand is not known: let go, the tiles do not come to rest</source>
-      <translation>ob es mit der Hand in seine Form kommt, ist nicht bekannt: losgelassen kommen die Kacheln nicht zur Ruhe</translation>
     </message>
     <message>
       <source>whether pushing forces within friction {mu:.3g} balance the tiles could not be shown{more}</source>
@@ -3833,16 +3541,16 @@
       <translation>Mit dem Reibungskoeffizienten {mu:.3g} halten keine drückenden Kräfte die Kacheln im Gleichgewicht: {pull:.3g N} Zug wären nötig, zuerst an {contacts:8}{more}</translation>
     </message>
     <message>
+      <source>with a friction coefficient of {mu:.3g} pushing forces are not known to reach f_min = {f_min:.3g N} where only bumps' tips touch</source>
+      <translation>Mit dem Reibungskoeffizienten {mu:.3g} ist von drückenden Kräften nicht bekannt, dass sie f_min = {f_min:.3g N} erreichen, wo nur Noppenspitzen sich berühren</translation>
+    </message>
+    <message>
       <source>working</source>
       <translation>Arbeit läuft</translation>
     </message>
     <message>
       <source>writing {0}</source>
       <translation>{0} schreiben</translation>
-    </message>
-    <message>
-      <source>{0} N is no force of a hand</source>
-      <translation>{0} N ist keine Kraft einer Hand</translation>
     </message>
     <message>
       <source>{0} can't be {1}</source>
@@ -3881,10 +3589,6 @@
       <translation>{0} enthält eine Zahl, die nicht endlich ist</translation>
     </message>
     <message>
-      <source>{0} is named twice</source>
-      <translation>{0} ist zweimal genannt</translation>
-    </message>
-    <message>
       <source>{0} points can't be laid onto a surface</source>
       <translation>{0} Punkte lassen sich nicht auf eine Fläche legen</translation>
     </message>
@@ -3899,34 +3603,6 @@
     <message>
       <source>{0}; or {1}</source>
       <translation>{0}; oder {1}</translation>
-    </message>
-    <message>
-      <source>{changes:, }: it arrives by itself, {shortfall:.3g mm} from the shape that it keeps</source>
-      <translation>{changes:, }: das Stück kommt von selbst in seine Form, {shortfall:.3g mm} von der, die es behält</translation>
-    </message>
-    <message>
-      <source>{changes:, }: it arrives by itself, {shortfall:.3g mm} from the shape that it keeps, but the design is not valid</source>
-      <translation>{changes:, }: das Stück kommt von selbst in seine Form, {shortfall:.3g mm} von der, die es behält, aber der Entwurf ist nicht gültig</translation>
-    </message>
-    <message>
-      <source>{changes:, }: it comes to rest {shortfall:.3g mm} short of its shape with {open} of {count} contacts open</source>
-      <translation>{changes:, }: es bleibt {shortfall:.3g mm} vor seiner Form stehen, {open} von {count} Kontakten bleiben offen</translation>
-    </message>
-    <message>
-      <source>{changes:, }: it comes to rest {shortfall:.3g mm} short of its shape with {open} of {count} contacts open, and the design is not valid</source>
-      <translation>{changes:, }: es bleibt {shortfall:.3g mm} vor seiner Form stehen, {open} von {count} Kontakten bleiben offen, und der Entwurf ist nicht gültig</translation>
-    </message>
-    <message>
-      <source>{changes:, }: there is no such design: {error}</source>
-      <translation>{changes:, }: so einen Entwurf gibt es nicht: {error}</translation>
-    </message>
-    <message>
-      <source>{changes:, }: whether it arrives is not known: the tiles do not come to rest</source>
-      <translation>{changes:, }: ob das Stück von selbst in seine Form kommt, ist nicht bekannt: die Kacheln kommen nicht zur Ruhe</translation>
-    </message>
-    <message>
-      <source>{changes:, }: whether it arrives is not known: the tiles do not come to rest, and the design is not valid</source>
-      <translation>{changes:, }: ob das Stück von selbst in seine Form kommt, ist nicht bekannt: die Kacheln kommen nicht zur Ruhe, und der Entwurf ist nicht gültig</translation>
     </message>
     <message>
       <source>{closed} of {edges} edges between pieces have no room for stitching holes: {pairs}</source>
@@ -4059,18 +3735,6 @@
     <message>
       <source>{points} contact points push too weakly: less than f_min = {f_min:.3g N} at {contacts:8}; the weakest has {least:.3g N} at {weakest}</source>
       <translation>{points} Kontaktpunkte drücken zu schwach: weniger als f_min = {f_min:.3g N} an {contacts:8}; der schwächste hat {least:.3g N} an {weakest}</translation>
-    </message>
-    <message>
-      <source>{which:8} inwards</source>
-      <translation>{which:8} nach innen</translation>
-    </message>
-    <message>
-      <source>{which:8} outwards</source>
-      <translation>{which:8} nach außen</translation>
-    </message>
-    <message>
-      <source>{which:8} sideways</source>
-      <translation>{which:8} seitwärts</translation>
     </message>
   </context>
   <context>
@@ -4298,10 +3962,6 @@
       <translation>Die Zapfen der {second} und das andere Ende der Anker kleben</translation>
     </message>
     <message>
-      <source>Help with your hands where it stays flat, from the middle outwards.</source>
-      <translation>Wo sie flach bleibt, von der Mitte nach außen mit den Händen nachhelfen.</translation>
-    </message>
-    <message>
       <source>Join the pieces</source>
       <translation>Die Stücke verbinden</translation>
     </message>
@@ -4490,10 +4150,6 @@
       <translation>Schablonen</translation>
     </message>
     <message>
-      <source>The computed path from flat says: {said}.</source>
-      <translation>Der berechnete Weg aus der Ebene sagt: {said}.</translation>
-    </message>
-    <message>
       <source>The membrane stays on its ring</source>
       <translation>Die Membran bleibt auf ihrem Ring</translation>
     </message>
@@ -4550,8 +4206,8 @@
       <translation>Das Latex waschen und anzeichnen</translation>
     </message>
     <message>
-      <source>When the glue holds, turn all over, so that the front sheet is up. Print {name}-trim.pdf at 100 %, cut the paper to the size of the window, lay it on the front sheet with its triangles on the outer pins, which you feel through it, and copy its lines onto the sheet. {each} Then cut both sheets at once with strong scissors along the inside of the window, outside of the anchors, a few centimetres at each side in turn: so they let go together. The shell pulls itself into shape. {hands} Lay it with its back onto the kit's former: where it does not touch, it is not in shape yet. {own}</source>
-      <translation>Wenn der Kleber hält, alles wenden, sodass die vordere Folie oben liegt. {name}-trim.pdf mit 100 % drucken, das Papier auf die Größe des Fensters schneiden, mit den Dreiecken auf den äußeren Zapfen, die man hindurch fühlt, auf die vordere Folie legen und die Linien auf die Folie übertragen. {each} Dann beide Folien mit einer starken Schere auf einmal innen am Fenster entlang schneiden, außerhalb der Anker, reihum an jeder Seite einige Zentimeter: so geben sie gemeinsam nach. Die Schale zieht sich selbst in Form. {hands} Sie mit der Rückseite auf den Formkörper legen: wo sie nicht anliegt, ist sie noch nicht in Form. {own}</translation>
+      <source>When the glue holds, turn all over, so that the front sheet is up. Print {name}-trim.pdf at 100 %, cut the paper to the size of the window, lay it on the front sheet with its triangles on the outer pins, which you feel through it, and copy its lines onto the sheet. {each} Then cut both sheets at once with strong scissors along the inside of the window, outside of the anchors, a few centimetres at each side in turn: so they let go together. The shell pulls itself into shape. Help with your hands where it stays flat, from the middle outwards. Lay it with its back onto the kit's former: where it does not touch, it is not in shape yet. {own}</source>
+      <translation>Wenn der Kleber hält, alles wenden, sodass die vordere Folie oben liegt. {name}-trim.pdf mit 100 % drucken, das Papier auf die Größe des Fensters schneiden, mit den Dreiecken auf den äußeren Zapfen, die man hindurch fühlt, auf die vordere Folie legen und die Linien auf die Folie übertragen. {each} Dann beide Folien mit einer starken Schere auf einmal innen am Fenster entlang schneiden, außerhalb der Anker, reihum an jeder Seite einige Zentimeter: so geben sie gemeinsam nach. Die Schale zieht sich selbst in Form. Wo sie flach bleibt, von der Mitte nach außen mit den Händen nachhelfen. Sie mit der Rückseite auf den Formkörper legen: wo sie nicht anliegt, ist sie noch nicht in Form. {own}</translation>
     </message>
     <message>
       <source>Where bodies must not overlap, there is the same as one closed shell a piece, with fused in the name.</source>

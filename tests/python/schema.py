@@ -41,10 +41,8 @@ OPTIONAL = {
                 "scan": {name: NUMBER for name in ("mean_mm", "rms_mm", "p95_mm", "max_mm",
                                                    "hausdorff_mm")}},
     "margin": {"mode": TEXT, "mismatch_percent": NUMBER, "friction_coefficient": NUMBER, "met": None},
-    "actuation": {"friction_coefficient": NUMBER, "arrives": None, "converged": bool, "stopped": bool,
-                  "shortfall_mm": NUMBER, "tolerance_mm": NUMBER, "contacts": COUNT, "open_contacts": list,
-                  "wedged": list, "energy_n_mm": NUMBER, "reach_friction": None, "trap": None,
-                  "from_target": dict},
+    "actuation": {"friction_coefficient": NUMBER, "contacts": COUNT, "stopped": bool, "by_itself": dict,
+                  "shaken": dict, "pressed": dict},
     "print": {"bbox_mm": list, "bodies": COUNT, "tile_volume_cm3": NUMBER,
               "support_volume_cm3": NUMBER, "anchor_volume_cm3": NUMBER,
               "smallest_feature_mm": NUMBER, "overhang_mm": NUMBER, "files": dict,
@@ -54,7 +52,7 @@ OPTIONAL = {
 STRETCH = {"scale_spread": NUMBER, "area_ratio": NUMBER, "energy_per_contact": NUMBER,
            "spring_mean": NUMBER, "slack_springs": COUNT}
 STAGES = ("remesh", "target smoothing", "pieces", "cuts", "pin smoothing", "flatten", "layout", "verify",
-          "refine", "settle", "actuate", "actuation trials", "solids", "check", "export")
+          "refine", "settle", "actuate", "solids", "check", "export")
 
 
 def check(value, expected, where):

@@ -142,34 +142,6 @@ def test_the_glue_has_to_hold_the_largest_shear(results):
     assert "holds 0.56 MPa in shear" in glued and "materials: cyanoacrylate)" in glued
 
 
-def test_the_sheet_says_where_hands_help_once_the_path_is_known(curveups, printed, tmp_path):
-    """By the actuation.json beside the design, as long as that is of it."""
-    (tmp_path / "design.json").write_bytes((printed.folder / "design.json").read_bytes())
-    ran = curveups("actuate", tmp_path / "design.json", "-o", tmp_path, "--no-hands")
-    assert ran.status in (0, 1), ran.err
-    answer = json.loads((tmp_path / "actuation.json").read_text("utf-8"))
-    said = "; ".join(one["what"] for one in answer["findings"])
-    assert "arrive" in said
-
-    def release(folder, *settings):
-        assert curveups("kit", tmp_path / "design.json", "-o", folder, *settings).status in (0, 1)
-        found = json.loads((folder / "kit.json").read_text("utf-8"))
-        text, = (one["text"] for one in found["steps"] if one["title"].startswith("Cut both sheets out"))
-        assert "Help with your hands where it stays flat" in text
-        return text, found
-
-    text, found = release(tmp_path / "kit")
-    assert f"The computed path from flat says: {said}." in text
-    assert found["actuation"]["arrives"] == answer["actuation"]["arrives"]
-    text, _ = release(tmp_path / "same", "--set", "printer=fdm")  # on which no path depends
-    assert said in text
-    design = json.loads((tmp_path / "design.json").read_text("utf-8"))
-    design["parameters"]["friction_coefficient"] = 0.4
-    (tmp_path / "design.json").write_text(json.dumps(design))
-    text, found = release(tmp_path / "other")
-    assert "computed path" not in text and "actuation" not in found
-
-
 @pytest.mark.parametrize("high", [0.8, 0.35])
 @pytest.mark.parametrize("size, said", [((60, 200), "490 × 390"), ((60, 450), "390 × 490"),
                                         ((480, 60), "490 × 390"), ((600, 600), "490 × 390")])

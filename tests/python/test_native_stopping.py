@@ -49,7 +49,7 @@ def calls(design, folder):
         "cuts": lambda sink: native.suggest_cuts(V, F, NONE, p, 1, [], sink),
         "verify": lambda sink: native.verify_design(design, None, sink),
         "settle": lambda sink: native.settle_design(design, None, sink),
-        "actuate": lambda sink: native.actuate_design(design, None, sink, answers=False),
+        "actuate": lambda sink: native.actuate_design(design, sink),
         "repair": repair,
         "print model": lambda sink: native.make_print_model(design, sink),
         "solids": lambda sink: native.make_print_model(design).build_solids(sink),

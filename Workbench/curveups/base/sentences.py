@@ -28,7 +28,7 @@ PROGRESS = (
     "layout", "restoring the layout", "measuring deviation", "membrane", "front membrane", "back membrane",
     "meshing membranes", "friction and unilateral contacts", "repair: fresh membranes",
     "repair: {0} weak points", "settle", "actuate", "shaking",
-    "looking for touches", "pressing", "process window", "building bodies", "building tiles",
+    "pressing", "process window", "building bodies", "building tiles",
     "placing anchors",
     "building the support", "dividing the support's underside", "dividing the support's lid",
     "measuring bodies", "measuring clearances", "building solids", "checking solids", "measuring solids",
@@ -93,61 +93,17 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "settled_restless": "whether the shape holds is not known: the tiles do not come to rest",
     "settle_failed": "whether the shape holds is not known: {error}",
     # From flat to shape.
-    "actuation_arrives": "it arrives by itself, {shortfall:.3g mm} from the shape that it keeps",
-    "actuation_jammed": ("it does not arrive by itself: it comes to rest {shortfall:.3g mm} short of its "
-                         "shape, and {open} of {count} contacts stay open: {contacts:8}",
-                         "shake it, and press it home by hand where contacts are open"),
-    "actuation_short": ("it does not arrive by itself: all contacts close, {shortfall:.3g mm} from the "
-                        "shape that it keeps (hold_tolerance allows {most:.3g mm})",
-                        "press it into its shape by hand"),
-    "actuation_trapped": "it would not arrive without friction either: it comes to rest {distance:.3g mm} "
-                         "from where the actuated piece does; tiles that are no neighbours wedge: {pairs:8}",
-    "actuation_elsewhere": "it would not arrive without friction either: it comes to rest {distance:.3g mm} "
-                           "from where the actuated piece does",
-    "actuation_friction": "friction holds it back: with a coefficient of {reach:.3g} it arrives",
-    "actuation_anew": ("the frame that it begins at has no memory that this design can use: contacts forget "
-                       "what friction held, and it may end elsewhere than the path that came by there",
-                       "begin at a frame that has one"),
-    "actuation_restless": "whether it arrives is not known: the tiles do not come to rest",
-    "actuation_stopped": "whether it arrives is not known: it was stopped",
-    "hands_shaken": "shaken, it comes home: after {taps} taps it is {shortfall:.3g mm} from the shape that "
-                    "it keeps, and {open} of {count} contacts stay open",
-    "hands_press": "by hand it comes into its shape: shake it ({taps} taps), press {touches:, } to their "
-                   "places, {force:g N} a tile, shake it again and let go; then it is {shortfall:.3g mm} "
-                   "from the shape that it keeps, and {open} of {count} contacts stay open",
-    "hands_over": "by hand it comes into its shape: shake it ({taps} taps), lay it over the former of the "
-                  "kit, press {pressed} tiles to their places, {force:g N} a tile, shake it again and let "
-                  "go; then it is {shortfall:.3g mm} from the shape that it keeps, and {open} of {count} "
-                  "contacts stay open",
-    "hands_none": "no touches that were tried bring it home: of {tried}, with up to {force:g N} on every "
-                  "tile, the best leave it {shortfall:.3g mm} short of its shape and {open} of {count} "
-                  "contacts open",
-    "hands_no_more": "shaken, it comes into its shape: after {taps} taps it is {shortfall:.3g mm} from the "
-                     "shape that it keeps; {open} of {count} contacts stay open, and none of {tried} touches "
-                     "that were tried closes them",
-    "hands_short": "by hand it does not come home: shaken ({taps} taps), with {pressed} tiles pressed to "
-                   "their places, {force:g N} a tile, shaken again and let go, it is {shortfall:.3g mm} "
-                   "short of its shape, and {open} of {count} contacts stay open",
-    "hands_restless": "whether it comes home by hand is not known: let go, the tiles do not come to rest",
-    "hands_touch.inwards": "{which:8} inwards",
-    "hands_touch.outwards": "{which:8} outwards",
-    "hands_touch.sideways": "{which:8} sideways",
-    "help_arrives": "{changes:, }: it arrives by itself, {shortfall:.3g mm} from the shape that it keeps",
-    "help_arrives.invalid": "{changes:, }: it arrives by itself, {shortfall:.3g mm} from the shape that it "
-                            "keeps, but the design is not valid",
-    "help_short": "{changes:, }: it comes to rest {shortfall:.3g mm} short of its shape with {open} of "
-                  "{count} contacts open",
-    "help_short.invalid": "{changes:, }: it comes to rest {shortfall:.3g mm} short of its shape with {open} "
-                          "of {count} contacts open, and the design is not valid",
-    "help_restless": "{changes:, }: whether it arrives is not known: the tiles do not come to rest",
-    "help_restless.invalid": "{changes:, }: whether it arrives is not known: the tiles do not come to rest, "
-                             "and the design is not valid",
-    "help_refused": "{changes:, }: there is no such design: {error}",
-    "help_none": "none of {tried} changes that were tried gives a valid design that comes nearer to its "
-                 "shape",
-    "help_change": "{name}={value}",
-    "help_change.cut": "a cut of {length:.0f mm}",
-    "hands_stopped": "what brings it home by hand is not known: it was stopped",
+    "actuation_by_itself": "released, it comes to rest {mean:.3g mm} from the design in the mean, "
+                           "{largest:.3g mm} at most; {open} of {count} contacts stay open",
+    "actuation_shaken": "shaken ({taps} taps), it comes to rest {mean:.3g mm} from the design in the mean, "
+                        "{largest:.3g mm} at most; {open} of {count} contacts stay open",
+    "actuation_pressed": "pressed over its former ({force_n:.3g N} a tile) and let go, it comes to rest "
+                         "{mean:.3g mm} from the design in the mean, {largest:.3g mm} at most; {open} of "
+                         "{count} contacts stay open",
+    "actuation_restless.by_itself": "released, the tiles do not come to rest",
+    "actuation_restless.shaken": "shaken, the tiles do not come to rest",
+    "actuation_restless.pressed": "pressed and let go, the tiles do not come to rest",
+    "actuation_stopped": "the path from flat was stopped before its end",
     "unsettled_design": "the margin is required, and the tiles did not settle: set run_settling and "
                         "run_verification on",
     "glue_carries": "the glue on the {side} pin of {tile} carries {shear:.3g MPa} of shear",

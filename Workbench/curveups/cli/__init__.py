@@ -15,7 +15,6 @@ from .. import __version__
 from ..base.errors import BAD_INPUT, NOT_WRITTEN, STOPPED, CurveUpsError, Stopped
 from ..base.profiles import profile_names
 from ..base.progress import Interrupt, Reporter
-from ..base.releases import CUT, RELEASES
 
 _EPILOG = """exit status: 0 valid, or verification was off; 1 finished, but not valid; 2 bad input or usage,
 nothing written; 3 stopped, the best so far was written; 4 a file could not be written"""
@@ -85,27 +84,10 @@ def make_parser() -> argparse.ArgumentParser:
                          help="a mesh, or points as text: x y z a line, of markers T00012 x y z")
     _output_argument(compare)
 
-    actuate = _command(commands, "actuate", "let a design rise from flat, and tell whether it arrives")
+    actuate = _command(commands, "actuate", "compute the shape of the built piece: released from flat, "
+                       "shaken, pressed over its former")
     actuate.add_argument("design", type=Path, metavar="DESIGN.json")
     _output_argument(actuate)
-    actuate.add_argument("--from", dest="begin", default="flat", metavar="flat|target|FRAME",
-                         help="begin there; FRAME is a frames.json of an earlier run, by default its last "
-                              "frame, or FRAMES.json:NUMBER (default: flat)")
-    actuate.add_argument("--release", choices=RELEASES, default=CUT,
-                         help="cut it out of both sheets on their rings, or take the sheets off first, both "
-                              "together or one side before the other, with surplus and anchors, and cut it "
-                              "out then (default: cut)")
-    actuate.add_argument("--no-hands", dest="hands", action="store_false",
-                         help="don't look for what brings a piece home by hand that jams")
-    actuate.add_argument("--press", metavar="T00012,...",
-                         help="where it jams, press these tiles by hand instead of looking for some, and "
-                              "tell how far that leads")
-    actuate.add_argument("--force", type=float, metavar="N",
-                         help="press each tile of --press with N newtons (default: a round number, at most "
-                              "twice the mean normal force of a contact)")
-    actuate.add_argument("--try-changes", action="store_true",
-                         help="where it does not arrive, try other friction, bumps, gaps and thickness, and "
-                              "a cut, each with a path of its own")
     actuate.add_argument("--compensate", type=_number_of("rounds", 1, 9), default=0, metavar="N",
                          help="first move the surface against the shape in which it settles and solve again, "
                               "N times, and write the best as design.json")

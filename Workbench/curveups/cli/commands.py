@@ -7,8 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Iterator, Sequence
 
-from ..base.errors import NOT_VALID, STOPPED, VALID, CurveUpsError, Stopped, named_tiles, \
-    tile_name
+from ..base.errors import NOT_VALID, STOPPED, VALID, CurveUpsError, Stopped
 from ..base.findings import Finding, first_of_each_kind
 from ..base.language import Language
 from ..base.native import native, translated
@@ -18,7 +17,6 @@ from ..base.profiles import MATERIALS, NOTES, of_material, profile_path
 from ..base.progress import Reporter
 from ..features.document_file import write_document
 from ..kit import compare as comparing, files as kit_files
-from ..kit.former import Former, former_stl
 from ..project.compensation import compensate
 from ..project.project import Project, Results
 from ..project.size_choice import AUTOMATIC, choose
@@ -26,14 +24,11 @@ from ..report import actuation
 from ..report import check as check_report
 from ..report.exports import write_spares
 from ..report.files import write_check, write_files, write_obj, write_verification
-from ..stages import HELP, RISEN, START, asked_by
-from ..stages.actuation import tiles_digest
+from ..stages import RISEN, asked_by
 from ..stages.cut_request import CutRequest, read_cuts, read_json_object
 from ..stages.solids import density_of
 from ..stages.stage import Job
 from ..stages.surface import find_source
-
-MOST_FORCE = 1e6  # N: of a hand; far more than one has, far less than numbers bear
 
 
 @dataclass
@@ -155,8 +150,7 @@ def kit(options: Any, session: Session) -> int:
     job = session.job
     results = kit_files.make(project, job)
     if results["check"].print_block:
-        risen = actuation.read_answer(options.design.parent, results.design, results.parameters)
-        stopped = kit_files.write_kit(results, options.output, job, order, risen)
+        stopped = kit_files.write_kit(results, options.output, job, order)
     else:  # stopped before there was anything to draw
         raise Stopped
     return _finish(results, options.output, session, stopped)
@@ -181,14 +175,7 @@ def actuate(options: Any, session: Session) -> int:
     """curveups actuate"""
     require_folder_name(options.output)
     project, _ = _design_project(options, session, ("rebuild", "files", "verify"))
-    start = actuation.read_start(options.begin, len(project.latest("design").design.F))
     job = session.job
-    if options.try_changes and options.begin != "flat":
-        raise CurveUpsError("changes are tried from flat alone", "--try-changes", "leave --from out")
-    press = _pressed(options, len(project.latest("design").design.F))
-    if press:
-        start = replace(start, press=press, force=options.force,
-                        of=tiles_digest(project.latest("design").design))
     compensation = None
     if options.compensate:
         if (written := options.output / "design.json").exists() and written.samefile(options.design):
@@ -198,42 +185,17 @@ def actuate(options: Any, session: Session) -> int:
             given = project.latest("design").design.with_parameters(project.parameters)
             compensation = compensate(given, options.compensate, job)
         project = Project.of_design(compensation.design, str(options.design))
-    project.give(START, replace(start, hands=options.hands, release=options.release))
-    goals = asked_by("actuate", *(("try changes",) if options.try_changes else ()))
-    results = project.run(("bodies", "figures", *goals), job, strict=True)
-    former = None
-    if results[RISEN].block["arrives"] is False:
-        area = results["figures"].report()["area"]
-        former = former_stl(Former.of(results.design, results.parameters, area))
+    results = project.run(("bodies", *asked_by("actuate")), job, strict=True)
     with translated(str(options.design)):
-        stopped = actuation.write_actuation(results, options.output, job, compensation, former)
+        stopped = actuation.write_actuation(results, options.output, job, compensation)
     if compensation:
         session.reporter.say(f"{project.name}: {compensation.said}")
-    for one in (*results[RISEN].findings(), *(results[HELP].findings() if HELP in results else ())):
+    for one in results[RISEN].findings():
         session.reporter.say(f"{project.name}: {one}")
     if stopped:
         session.reporter.say("stopped: what there is, is written")
         return STOPPED
-    return VALID if results[RISEN].block["arrives"] else NOT_VALID
-
-
-def _pressed(options: Any, count: int) -> tuple[int, ...]:
-    """The tiles of --press."""
-    if options.press is None:
-        if options.force is not None:
-            raise CurveUpsError("there is no tile to press", "--force", "name some with --press")
-        return ()
-    for given, option in ((not options.hands, "--no-hands"), (options.begin != "flat", "--from")):
-        if given:
-            raise CurveUpsError("hands press where a path from flat ends", "--press", f"leave {option} out")
-    rows = named_tiles(options.press, count, "--press")
-    for row in rows:
-        if rows.count(row) > 1:
-            raise CurveUpsError(f"{tile_name(row)} is named twice", "--press", "name it once")
-    if options.force is not None and not 0 < options.force <= MOST_FORCE:
-        raise CurveUpsError(f"{options.force:g} N is no force of a hand", "--force",
-                            f"give a number above 0 N, up to {MOST_FORCE:g} N")
-    return tuple(rows)
+    return VALID if results[RISEN].is_known else NOT_VALID
 
 
 COMMANDS = {"design": design, "check": check, "remesh": remesh, "targets": targets, "parameters": parameters,

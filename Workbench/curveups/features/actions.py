@@ -76,7 +76,6 @@ RUNS = {
     "verify": Run("Verify", asked_by("verify"), live.design_project_of),
     "repair": Run("Repair", ("design", *asked_by("verify")), _repaired),
     "actuate": Run("Actuate", asked_by("actuate"), live.design_project_of, anew=True),
-    "try_changes": Run("Try Changes", asked_by("actuate", "try changes"), live.design_project_of, anew=True),
     "build_solids": Run("Build Solids", rebuild.GOALS, live.design_project_of, strict=True),
 }
 _made: dict[tuple[str, str, str], Any] = {}  # by a thread, for the function that is called next
@@ -193,11 +192,6 @@ def actuate(design: Any) -> Results:
     return _run("actuate", design)
 
 
-def try_changes(design: Any) -> Results:
-    """What would help the path from flat, where it does not arrive: "actuation help" of the results."""
-    return _run("try_changes", design)
-
-
 def write_frame(design: Any, path: str, number: int = -1) -> None:
     """The tiles where a frame of the path from flat has them, by default the last, as a STEP file."""
     _made_by("write_frame", design, lambda: frame_work(design, path, number))
@@ -303,8 +297,7 @@ def kit_work(design: Any, folder: str, order: kit_files.Order) -> Callable[[Job]
         finished = project.latest("design").design.with_parameters(project.parameters)
         page = Path(folder) / f"{project.name}-assembly.html"
         text = native.write_design(finished)
-        risen = project.out_of_date(RISEN) == ()
-        if current and kit_files.is_current(Path(folder), text, order, risen) and page.exists():
+        if current and kit_files.is_current(Path(folder), text, order) and page.exists():
             return WrittenKit(str(page))
         results = kit_files.make(project, job)
         if job.stopped or kit_files.write_kit(results, Path(folder), job, order):

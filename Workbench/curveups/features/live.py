@@ -12,7 +12,7 @@ from ..base.parameters import table
 from ..project import saved_results
 from ..project.keys import changes
 from ..project.project import Made, Project
-from ..stages import BY_NAME, HELP, RISEN
+from ..stages import BY_NAME, RISEN
 from ..stages.design import FinishedDesign
 from ..stages.surface import Source
 from . import properties
@@ -86,7 +86,7 @@ def warnings_of(obj: Any) -> list[Finding]:
     """What stored results of a layout that is current warn of, where they are current, too; the path from
     flat has a panel of its own. Raises CurveUpsError where they can't be read."""
     made, keys, values = stored(obj).made(), read_keys(obj), properties.values_of(obj)
-    return [found for name in BY_NAME if name in made and name not in (RISEN, HELP)
+    return [found for name in BY_NAME if name in made and name != RISEN
             for found in made[name].result.warnings()
             if changes(name, keys.records, values, (*GIVEN, "design")) == ()]
 

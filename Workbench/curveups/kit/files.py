@@ -10,8 +10,7 @@ from dataclasses import dataclass
 from functools import partial
 from importlib import import_module
 from pathlib import Path
-from types import MappingProxyType
-from typing import Any, Callable, Mapping, Sequence
+from typing import Any, Callable, Sequence
 
 from ..base.errors import CurveUpsError, Stopped
 from ..base.language import Language
@@ -23,7 +22,7 @@ from ..report.data import build_report, to_text
 from ..report.exports import Choice, File, doubtful, file_names, plain, run_under
 from ..report.files import keep_design
 from ..report.shop import has_bridges, latex, quote, rules
-from ..stages import RISEN, asked_by
+from ..stages import asked_by
 from ..stages.solids import amounts
 from ..stages.stage import Job
 from .beds import bed_name
@@ -54,10 +53,8 @@ def goals() -> tuple[str, ...]:
 
 
 def make(project: Project, job: Job) -> Results:
-    """What a kit is made from, with the path from flat where that is current. Where the design is not known
-    to be valid, solids and files say so."""
-    wanted = (*goals(), *((RISEN,) if project.out_of_date(RISEN) == () else ()))
-    results = project.run(wanted, job, strict=True)
+    """What a kit is made from. Where the design is not known to be valid, solids and files say so."""
+    results = project.run(goals(), job, strict=True)
     if results.verdict.valid or results.stopped:
         return results
     name = doubtful(results.title, results.verdict.valid)
@@ -79,16 +76,12 @@ def _named(name: str, parameters: Any, order: Order, wanted: tuple[File, ...]) -
         "thickness": lambda kind: f"{height:g}mm", "quantity": lambda kind: f"{order.quantity}x"})
 
 
-def write_kit(results: Results, path: Path, job: Job, order: Order = Order(),
-              risen: Mapping[str, Any] = MappingProxyType({})) -> bool:
+def write_kit(results: Results, path: Path, job: Job, order: Order = Order()) -> bool:
     """Writes all files of a kit; True if that was stopped. kit.json is removed first and written last: what
-    it does not list, this run did not write. risen: what is known of the path from flat, where results don't
-    have it."""
+    it does not list, this run did not write."""
     design = native.write_design(results.design.with_name(plain(results)))
     names = print_names(results.name, results.parameters, results["solids"].kinds, order)
     report = build_report(results, results.rows(), False, {}, {})
-    if risen:
-        report.setdefault("actuation", risen)
 
     def named(file: File) -> str:
         return _named(results.name, results.parameters, order, (file,))[file]
@@ -161,7 +154,7 @@ def _contents(kit: Kit, design: str, stopped: bool, order: Order) -> dict[str, A
     report, parameters = kit.report, kit.results.parameters
     printed = {name: value for name, value in report["print"].items() if name != "files"}
     blocks = ("beds", "area", "solids", "sheets", "anchors", "contact_forces", "worst_contacts",
-              "joints", "borders", "actuation")
+              "joints", "borders")
     return {"format": FORMAT, "version": VERSION, "name": kit.name, "title": kit.plain_title,
             "status": "stopped" if stopped else "complete", "design_sha256": _sum(design.encode("utf-8")),
             "valid": report["valid"], "holds": report["holds"], "reasons": report["reasons"],
@@ -191,13 +184,11 @@ def last_order(folder: Path) -> Order:
         return Order()
 
 
-def is_current(folder: Path, design: str, order: Order = Order(), risen: bool = False) -> bool:
-    """True if the kit in a folder is whole and of this design (the text of design.json) and order. risen:
-    True if its path from flat is known."""
+def is_current(folder: Path, design: str, order: Order = Order()) -> bool:
+    """True if the kit in a folder is whole and of this design (the text of design.json) and order."""
     try:
         found = json.loads((folder / KIT).read_text("utf-8"))
         return bool(found["design_sha256"] == _sum(design.encode("utf-8")) and found["status"] == "complete"
-                    and ("actuation" in found) == risen
                     and order.data == {name: found[name] for name in order.data})
     except (OSError, ValueError, KeyError, TypeError):
         return False

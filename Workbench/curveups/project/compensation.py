@@ -13,7 +13,6 @@ import numpy as np
 from ..base.errors import CurveUpsError, Stopped
 from ..base.motions import rigid_motion
 from ..base.native import native
-from ..stages.actuation_help import relaid
 from ..stages.stage import Job
 
 
@@ -53,7 +52,7 @@ def compensate(design: Any, rounds: int, job: Job) -> Compensation:
     largest: list[float] = []
     for number in range(rounds + 1):
         if number:
-            made, valid = relaid(design, aim, design.parameters, design.cuts, job)
+            made, valid = _relaid(design, aim, job)
             design = made if valid else None
         settled = native.settle_design(design, progress=job) if design is not None else None
         if job.stopped:
@@ -75,3 +74,15 @@ def compensate(design: Any, rounds: int, job: Job) -> Compensation:
         raise CurveUpsError("where its tiles settle could not be found", design.name,
                             "leave --compensate out, or change the design")
     return Compensation(best, tuple(mean), tuple(largest), kept)
+
+
+def _relaid(design: Any, surface: np.ndarray, job: Job) -> tuple[Any, bool]:
+    """A design of the same target and triangles on `surface` (N x 3, mm), laid out and repaired; and whether
+    it is valid. Raises what the native functions raise."""
+    faces, given = np.asarray(design.F), design.target
+    wanted = given if given is not None and np.array_equal(given[1], faces) else (design.V, faces)
+    layout = native.solve_layout(surface, faces, design.cuts, design.parameters, job)
+    laid = native.Design(design.name, design.parameters, surface, faces, layout.T, layout.q, design.cuts,
+                         wanted)
+    repaired = native.repair_design(laid, progress=job)
+    return repaired.design, repaired.status == "valid"

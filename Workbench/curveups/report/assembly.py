@@ -10,7 +10,6 @@ from typing import Any, Iterable, Iterator, Mapping, Sequence
 from ..base.errors import tile_name
 from ..base.language import ENGLISH, Language, Text
 from ..base.native import native
-from ..stages.actuation import findings
 from ..stages.solids import overhangs, read_printer
 from .shop import is_tilted, latex
 
@@ -75,10 +74,9 @@ _RELEASE = Text("""When the glue holds, turn all over, so that the front sheet i
 at 100 %, cut the paper to the size of the window, lay it on the front sheet with its triangles on the outer
 pins, which you feel through it, and copy its lines onto the sheet. {each} Then cut both sheets at once with
 strong scissors along the inside of the window, outside of the anchors, a few centimetres at each side in
-turn: so they let go together. The shell pulls itself into shape. {hands} Lay it with its back onto the
-kit's former: where it does not touch, it is not in shape yet. {own}""")
-_HANDS = Text("""Help with your hands where it stays flat, from the middle outwards.""")
-_KNOWN_HANDS = Text("""The computed path from flat says: {said}.""")
+turn: so they let go together. The shell pulls itself into shape. Help with your hands where it stays flat,
+from the middle outwards. Lay it with its back onto the kit's former: where it does not touch, it is not in
+shape yet. {own}""")
 _TRIM = Text("""Cut the front membrane along its lines, which were {trim:g} mm outside of the outer pins while
 it was stretched, and the back one as far outside of its own pins. {stop} Anchors go with the surplus.
 {apart}""")
@@ -186,7 +184,6 @@ def _values(report: Mapping[str, Any], parameters: Any, say: Language) -> dict[s
             "second": words[second], "second_mm2": _area(glue, second),
             "second_cm3": glue_volumes(glue)[second], "behind": behind, "on_bed": words[on_bed],
             "sides": (first, second), "peel_first": reach_out and on_bed == first,
-            "hands": _hands(report, say),
             "each": say(_EACH) if block["pieces"] > 1 else "",
             "own": say(_OWN) if block["pieces"] > 1 else "",
             "facing": say(_FACING, pairs=facing) if facing else "",
@@ -216,14 +213,6 @@ def _steps(report: Mapping[str, Any], parameters: Any, values: Mapping[str, Any]
             yield Text("Bring pieces together in shape and sew them along their borders"), _SEW, "actuated"
         else:
             yield Text("Join the pieces"), _TAPE, "actuated"
-
-
-def _hands(report: Mapping[str, Any], say: Language) -> str:
-    """Where hands help: by the path from flat, where it is known."""
-    if "actuation" not in report:
-        return say(_HANDS)
-    said = "; ".join(one.sentence(say.style) for one in findings(report["actuation"]))
-    return f"{say(_KNOWN_HANDS, said=said)} {say(_HANDS)}"
 
 
 def _pairs(pairs: Iterable[Sequence[int]]) -> str:

@@ -124,7 +124,7 @@ def write_spares(project: Project, folder: Path, tiles: str, job: Job) -> list[s
 
 def report(project: Project, folder: Path, doubts: Iterable[Finding], job: Job) -> Path:
     """Writes report.html and report.json of all that is current; the page."""
-    current = _current(project, asked_by("solve", "settle", "actuate", "try changes"))
+    current = _current(project, asked_by("solve", "settle", "actuate"))
     results = project.run(current, job, note=Finding("unverified"))
     place = Folder(folder)
     write_reports(_with(results, tuple(doubts)), place)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Plays the frames of actuation.html. Given: FRAMES, how many; DATA, corners of all triangles, frame
-// by frame, as 16-bit numbers in base64; TIMES and ENERGIES; DOING, what hands do; MARKS, of some
-// frames a number a tile, and HUES, the hue and the saturation that a number stands for.
+// by frame, as 16-bit numbers in base64; TIMES and ENERGIES; DOING, the load case; MARKS, of some
+// frames whether a tile has an open contact, and HUE, the hue and the saturation of such tiles.
 const bytes = Uint8Array.from(atob(DATA), (letter) => letter.charCodeAt(0));
 const corners = new Int16Array(bytes.buffer);
 const perFrame = corners.length / FRAMES, count = perFrame / 9;
@@ -36,7 +36,7 @@ function draw() {
     const uz = scale * (shown[a + 5] - shown[a + 2]), vz = scale * (shown[a + 8] - shown[a + 2]);
     const area = Math.hypot(facing, uy * vz - uz * vy, uz * vx - ux * vz);
     const light = 38 + 40 * Math.abs(facing) / (area || 1);
-    const [hue, strength] = HUES[(MARKS[k] || [])[t]] || (facing > 0 ? [38, 70] : [212, 25]);
+    const [hue, strength] = (MARKS[k] || [])[t] ? HUE : (facing > 0 ? [38, 70] : [212, 25]);
     pen.fillStyle = `hsl(${hue}, ${strength}%, ${light}%)`;
     pen.beginPath();
     pen.moveTo(shown[a], shown[a + 1]);
@@ -46,7 +46,7 @@ function draw() {
     pen.fill();
     pen.stroke();
   }
-  document.getElementById("at").textContent = `Frame ${k + 1} of ${FRAMES}${DOING[k] && ", " + DOING[k]}: ` +
+  document.getElementById("at").textContent = `Frame ${k + 1} of ${FRAMES}, ${DOING[k]}: ` +
     `${TIMES[k].toPrecision(3)} s, ${ENERGIES[k].toFixed(0)} N mm`;
 }
 

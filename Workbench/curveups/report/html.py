@@ -15,7 +15,7 @@ from ..project.verdict import HOLDS
 from ..stages.stage import Picture
 from .assembly import steps
 from .changes import changes, worst_contacts
-from .moving import answers, changes_tried, released
+from .moving import states_table
 from .shop import latex, print_picture, quote, rules
 from .tables import show, table
 
@@ -43,8 +43,7 @@ Drawn = Union[bytes, str]  # PNG, or HTML of what moves
 _VIEWS = {"flat": ("pictures", "flat_layout"), "actuated": ("pictures", "actuated_view"),
           "cuts": ("cut_pictures", "cut_view"), "stretch": ("membrane_pictures", "stretch_view"),
           "movement": ("pictures", "movement_view"), "blocked": ("pictures", "blocked_view"),
-          "moving": ("moving", "moving_view"), "hands": ("hand_pictures", "hands_view"),
-          "print": ("print_pictures", "print_view")}
+          "moving": ("moving", "moving_view"), "print": ("print_pictures", "print_view")}
 
 
 def view(name: str, **data: Any) -> Drawn:
@@ -196,8 +195,7 @@ def _figures(report: dict) -> str:
         if rows:
             parts += [f"<h3>{escape(_words(block).capitalize())}</h3>", table(rows)]
     if "actuation" in report:
-        parts += ["<h3>From flat to shape</h3>", answers(report["actuation"]),
-                  *released(report["actuation"]), *changes_tried(report["actuation"])]
+        parts += ["<h3>From flat to shape</h3>", states_table(report["actuation"])]
     return "".join(parts)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The path from flat to shape on a page: a picture that moves, and the answers as a table."""
+"""The path from flat to shape on a page: a picture that moves, and its states as a table."""
 
 from __future__ import annotations
 
@@ -10,13 +10,11 @@ from typing import Any, Mapping
 
 import numpy as np
 
-from ..stages.actuation import Actuation, moved
+from ..stages.actuation import Actuation, moved, states
 from .tables import table
 
-# Of tiles where the piece comes to rest, by their numbers in frames.js: hue and saturation (%), and what they
-# are.
-_MARKS = {1: ((4, 75), "tiles of contacts that stay open"),
-          2: ((285, 55), "tiles that wedge hardest without friction"), 3: ((330, 85), "both")}
+OPEN = (4, 75)  # hue and saturation (%) of tiles whose contacts stay open
+WORDS = {"by_itself": "released", "shaken": "shaken", "pressed": "pressed and let go"}
 _CANVAS = "width:100%;background:#fff;border:1px solid #e8e1d3;border-radius:.4rem;touch-action:none"
 
 
@@ -33,78 +31,43 @@ def moving_view(found: Actuation) -> str:
     corners -= corners.mean(1, keepdims=True)  # the layout may lie far from the target
     size = max(float(np.linalg.norm(corners, axis=2).max()), 1e-9)  # it fits however it is turned
     whole = np.round(corners * (32767 / size)).astype("<i2")
-    marks = tile_marks(found)
     data = base64.b64encode(whole.tobytes()).decode("ascii")
     script = files(__package__).joinpath("frames.js").read_text("utf-8")
+    marks = open_tiles(found)
     return (f'<canvas id="piece" width="1200" height="760" style="{_CANVAS}"></canvas>'
             f'<p><button id="play">Play</button> <input id="frame" type="range" min="0" '
             f'max="{len(frames) - 1}" value="0" style="width:70%"> <span id="at"></span></p>'
             f"<script>const FRAMES={len(frames)},DATA='{data}',"
-            f"DOING={json.dumps(found.doing)},MARKS={json.dumps(marks)},"
-            f"HUES={json.dumps({mark: hue for mark, (hue, _) in _MARKS.items()})},"
+            f"DOING={json.dumps([WORDS[load] for load in found.loads])},MARKS={json.dumps(marks)},"
+            f"HUE={json.dumps(OPEN)},"
             f"TIMES={np.round(found.time, 6).tolist()},"
             f"ENERGIES={np.round(found.energy, 3).tolist()};\n{script}</script>{_legend(marks)}")
 
 
-def tile_marks(found: Actuation) -> dict[int, list[int]]:
-    """Of the frames in which the piece comes to rest, a number a tile (of _MARKS; 0: nothing to show). Tiles
-    that wedge are those at the end of the path."""
+def open_tiles(found: Actuation) -> dict[int, list[bool]]:
+    """Tiles of open contacts in the frames in which the piece comes to rest, where there are some."""
     marks = {}
-    for frame, end in found.ends.items():
-        of_tile = np.zeros(len(found.design.F), int)
-        of_tile[[tile for pair in end["open_contacts"] for tile in pair]] = 1
-        if end is found.block:
-            of_tile[found.wedged_tiles] += 2
-        if of_tile.any():
-            marks[frame] = of_tile.tolist()
+    for state in found.states.values():
+        of_tile = np.zeros(len(found.design.F), bool)
+        of_tile[[tile for pair in state["open_contacts"] for tile in pair]] = True
+        if state["converged"] and of_tile.any():
+            marks[state["last_frame"]] = of_tile.tolist()
     return marks
 
 
-def _legend(marks: Mapping[int, list[int]]) -> str:
-    """What colours of tiles mean, and in which frames they are shown."""
+def _legend(marks: Mapping[int, list[bool]]) -> str:
+    """Meaning of the colour, and the frames that have it."""
     if not marks:
         return ""
-    seen = set().union(*marks.values())
-    entries = "".join(f'<span style="color:hsl({hue[0]},{hue[1]}%,50%)">&#9632;</span> {what}, '
-                      for mark, (hue, what) in _MARKS.items() if mark in seen or 3 in seen)
     frames = ", ".join(str(frame + 1) for frame in marks)
-    return f'<p class="note">{entries}where the piece comes to rest: frame {frames}</p>'
+    return (f'<p class="note"><span style="color:hsl({OPEN[0]},{OPEN[1]}%,50%)">&#9632;</span> tiles of '
+            f"contacts that stay open, where the piece comes to rest: frame {frames}</p>")
 
 
-def answers(block: Mapping[str, Any]) -> str:
-    """What the block of report.json says, as a table."""
-    rows: list[tuple[Any, ...]] = [
-        ("It arrives by itself", block["arrives"]),
-        ("Friction coefficient", block["friction_coefficient"]),
-        ("Short of the shape that it keeps once it is there, mm", block["shortfall_mm"]),
-        ("Tolerance (hold_tolerance), mm", block["tolerance_mm"]),
-        ("Virtual scan: mean, largest, mm", [block["scan"]["mean_mm"], block["scan"]["max_mm"]])]
-    if "sampled" in block:
-        reach = block["reach_friction"]
-        rows += [("Largest sampled friction at which it arrives", "none" if reach is None else reach),
-                 ("Trap: without friction, flat and target end differently", block["trap"]),
-                 ("Distance of these ends, mm", block["trap_distance_mm"])]
-    return table(rows)
-
-
-def released(block: Mapping[str, Any]) -> list[str]:
-    """How hands released the piece, a row for each thing they did; nothing where they cut it out at once."""
-    if "phases" not in block:
-        return []
-    rows = [(phase["phase"], phase["removed_n_mm"], phase["steps"],
-             phase["shortfall_mm"] if phase["converged"] else "no rest", len(phase["open_contacts"]),
-             phase["energy_n_mm"]) for phase in block["phases"]]
-    return ["<h2>Released</h2>", table(rows, ("What hands do", "Energy cut off, N mm", "Steps",
-                                              "Then short by, mm", "Open contacts", "Energy, N mm"))]
-
-
-def changes_tried(block: Mapping[str, Any]) -> list[str]:
-    """What would help, with the present design first; nothing where that was not asked."""
-    tried = block.get("help", ())
-    if not tried:
-        return []
-    rows = [("as it is", block["arrives"], block["shortfall_mm"], len(block["open_contacts"]), ""),
-            *((one["what"].partition(": ")[0], "no answer" if one["arrives"] is None else one["arrives"],
-               one.get("shortfall_mm"), len(one["open_contacts"]) if "open_contacts" in one else None,
-               "no such design" if one["valid"] is None else one["valid"]) for one in tried)]
-    return [table(rows, ("Change", "Arrives", "Short by, mm", "Open contacts", "Valid"))]
+def states_table(block: Mapping[str, Any]) -> str:
+    """States of a block of report.json, a row each."""
+    rows = [(WORDS[name] if state["converged"] else f"{WORDS[name]}: no rest",
+             *(state[key] for key in ("mean_mm", "rms_mm", "p95_mm", "max_mm", "hausdorff_mm")),
+             len(state["open_contacts"]), state["energy_n_mm"]) for name, state in states(block).items()]
+    return table(rows, ("State", "Mean, mm", "RMS, mm", "95 %, mm", "Largest, mm", "Hausdorff, mm",
+                        f"Open of {block['contacts']} contacts", "Energy, N mm"))

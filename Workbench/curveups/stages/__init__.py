@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Lists the stages of the work, one file each, in the order in which reports show their results."""
 
-from . import (actuation, actuation_help, anchoring, clearances, cuts, design, deviation, division,
+from . import (actuation, anchoring, clearances, cuts, design, deviation, division,
                feasibility, layout, pieces, pin_smoothing, repair, settle, sheets, sizes,
                solids, suggestions, surface, target, target_smoothing, verification)
 
@@ -9,13 +9,13 @@ STAGES = (surface.STAGE, target.STAGE, target_smoothing.STAGE, division.STAGE, f
           sizes.STAGE, cuts.STAGE, suggestions.SEARCH, pin_smoothing.STAGE, layout.STAGE,
           verification.OF_LAYOUT, repair.STAGE, design.STAGE, design.FIGURES, deviation.STAGE,
           clearances.STAGE, verification.STAGE, pieces.STAGE, anchoring.STAGE,
-          solids.BODIES, sheets.STAGE, solids.STAGE, settle.STAGE, actuation.START, actuation.STAGE,
-          actuation_help.STAGE, solids.CHECK, suggestions.STAGE)
+          solids.BODIES, sheets.STAGE, solids.STAGE, settle.STAGE, actuation.STAGE, solids.CHECK,
+          suggestions.STAGE)
 
 BY_NAME = {stage.name: stage for stage in STAGES}
 VERDICT = verification.STAGE.name  # there is no verdict without it
 SETTLED = settle.STAGE.name
-RISEN, START, HELP = actuation.STAGE.name, actuation.START.name, actuation_help.STAGE.name
+RISEN = actuation.STAGE.name
 
 
 def asked_by(*commands: str) -> tuple[str, ...]:

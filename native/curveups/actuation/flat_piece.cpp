@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/actuation/flat_piece.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "curveups/core/errors.hpp"
-#include "curveups/design/parameter_texts.hpp"
 #include "curveups/physics/membrane_domain.hpp"
 
 namespace curveups {
 namespace {
 
-// Pin corners with the tiles at these poses.
+// Pin corners, 3 a tile, with the tiles at these poses.
 Points3 pin_corners(const TileBodies& bodies, const Points3& centres, const Poses& tiles,
                     Side side) {
   Points3 out =
@@ -21,20 +18,6 @@ Points3 pin_corners(const TileBodies& bodies, const Points3& centres, const Pose
     out.row(c) = tiles[c / 3](out.row(c) - centres.row(c / 3)).transpose();
   }
   return out;
-}
-
-double lowest(const TileMesh& tiles, const Points3& centres, const Poses& poses, const Vec3& up) {
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < tiles.tile_count(); ++i) {
-    for (int c = 0; c < 3; ++c) {
-      for (Side side : {Side::front, Side::back}) {
-        const Vec2& p = tiles.corners(i, side)[c];
-        const Vec3 corner = tiles.frame[i]({p.x(), p.y(), side == Side::front ? 0 : -tiles.H_body});
-        least = std::min(least, up.dot(poses[i](corner - centres.row(i).transpose())));
-      }
-    }
-  }
-  return least;
 }
 
 }  // namespace
@@ -83,28 +66,12 @@ std::vector<RigidMotion> frame_motions(const FrameRows& rows, int tile_count) {
   return out;
 }
 
-Poses frame_poses(const TileMesh& tiles, const FrameRows& rows) {
-  const Points3 centres = tile_centres(tiles);
-  Poses out = frame_motions(rows, tiles.tile_count());
-  for (int i = 0; i < tiles.tile_count(); ++i) {
-    out[i].t = out[i](centres.row(i).transpose());
-  }
-  return out;
-}
-
-Poses piece_poses(const TileBodies& bodies, const Poses& tiles, const Poses& actuated) {
+Poses piece_poses(const TileBodies& bodies, const Poses& tiles) {
   const TileMesh& mesh = bodies.geometry.tiles;
   const Points3 centres = tile_centres(mesh);
-  const Parameters& p = bodies.parameters;
   Poses out = tiles;
-  if (p.gravity == "resting") {
-    const Vec3 up = -direction_of(p.gravity_direction);
-    const double level = up.dot(actuated.back().t), foot = lowest(mesh, centres, out, up);
-    for (RigidMotion& pose : out) pose.t += (level - foot) * up;
-  }
-  const Poses moved_tiles = out;
   for (Side side : {Side::front, Side::back}) {
-    const Points3 corners = pin_corners(bodies, centres, moved_tiles, side);
+    const Points3 corners = pin_corners(bodies, centres, tiles, side);
     for (const MembranePatch& patch : make_membrane_domain(mesh, side).patches) {
       if (patch.vertex < 0) continue;
       RigidMotion node;
@@ -114,7 +81,6 @@ Poses piece_poses(const TileBodies& bodies, const Poses& tiles, const Poses& act
       out.push_back(node);
     }
   }
-  out.insert(out.end(), actuated.begin() + static_cast<std::ptrdiff_t>(out.size()), actuated.end());
   return out;
 }
 

@@ -11,21 +11,20 @@ namespace curveups {
 // (tile_centres) as the TileWorld's bodies are.
 Poses flat_tiles(const TileBodies& bodies);
 
-// What files have of a frame: a row a tile, how it moves from its place in the actuated design, as
-// x, y, z (mm) and a unit quaternion (w, x, y, z): a point p goes to R p + (x, y, z).
+// Poses of the tiles as files have them: a row a tile, its motion from its place in the actuated
+// design, as x, y, z (mm) and a unit quaternion (w, x, y, z): a point p goes to R p + (x, y, z).
 using FrameRows = Eigen::Matrix<double, Eigen::Dynamic, 7, Eigen::RowMajor>;
 FrameRows frame_rows(const TileMesh& tiles, const Poses& poses);
 // The same as motions. Throws InvalidInput where there is not a row a tile, or one is no rigid
 // motion.
 std::vector<RigidMotion> frame_motions(const FrameRows& rows, int tile_count);
-Poses frame_poses(const TileMesh& tiles, const FrameRows& rows);
 
-// All bodies of a TileWorld (its poses where tiles are actuated: `actuated`) with the tiles at
-// these poses: nodes amid the pins around them, and the piece on the ground where it rests on one.
-Poses piece_poses(const TileBodies& bodies, const Poses& tiles, const Poses& actuated);
+// All bodies of a TileWorld without a ground, with the tiles at these poses: each node of the
+// membranes amid the pins around it.
+Poses piece_poses(const TileBodies& bodies, const Poses& tiles);
 
-// Over all contacts and both sides, the mean stretch ratio of the membrane between facing pin
-// edges: tau where tiles are flat.
+// Mean over all contacts and both sides of the membrane's stretch ratio between facing pin edges:
+// tau where tiles are flat.
 double mean_stretch(const TileBodies& bodies, const Poses& tiles);
 
 }  // namespace curveups

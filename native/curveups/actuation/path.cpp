@@ -3,26 +3,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
-#include "curveups/actuation/flat_piece.hpp"
-#include "curveups/actuation/path_memory.hpp"
 #include "curveups/core/checkpoint.hpp"
-#include "curveups/core/errors.hpp"
+#include "curveups/geometry/cut_mesh.hpp"
 
 namespace curveups {
 namespace {
 
-// mm: times the material's modulus, how stiff two tiles are that touch. About what their walls are
-// as layers, and what a corner is that is rounded by as much.
+// mm: times the material's modulus, the stiffness between two tiles that touch. About what their
+// walls are as layers, and what a corner is that is rounded by as much.
 constexpr double contact_width = 0.25;
 
 // A path whose energy falls by less than this part in so many steps, and that is not at rest, goes
 // round in circles: tips of bumps that slide off walls and onto them again.
 constexpr int stalled_steps = 60;
 constexpr double stalled_part = 1e-4;
-// The same under weight, which is little beside what membranes store: a piece that settles on its
-// table is no circle.
-constexpr double stalled_part_resting = 1e-5;
+
+constexpr int most_taps = 40, steps_a_tap = 12;
+constexpr double weak_tap = 1e-4;       // part of the energy
+constexpr int pressed_steps = 40;       // without friction, and as many with it
+constexpr double press_of_normal = 4;   // force on a tile over the contacts' mean normal force
+constexpr double former_reach = 0.013;  // over L: within it the force fades
+constexpr int few_frames = 15;          // of shaking and of pressing
+constexpr const char* doing[] = {"actuate", "shaking", "pressing"};  // by load case
 
 Pace pace_of(const Parameters& parameters) {
   Pace pace;
@@ -34,135 +39,209 @@ Pace pace_of(const Parameters& parameters) {
   return pace;
 }
 
-double mean_way(const Poses& from, const Poses& to, int count) {
+double mean_distance(const Poses& from, const Poses& to, int count) {
   double sum = 0;
   for (int i = 0; i < count; ++i) sum += (to[i].t - from[i].t).norm();
   return sum / std::max(count, 1);
 }
 
-// Half as many, where there are more than `most`, evenly by the way of the tiles; of those near one
-// another, one with a memory.
-void thin_out(std::vector<PathFrame>& frames, int most) {
-  if (static_cast<int>(frames.size()) <= most) return;
-  most = std::max(most / 2, 2);
-  const double whole = frames.back().moved;
-  std::vector<PathFrame> kept;
-  for (std::size_t k = 0; k + 1 < frames.size(); ++k) {
-    if (frames[k].moved * (most - 1) >= whole * static_cast<double>(kept.size())) {
-      kept.push_back(std::move(frames[k]));
-    } else if (kept.size() > 1 && kept.back().memory.size() == 0 && frames[k].memory.size() > 0) {
-      kept.back() = std::move(frames[k]);
-    }
+// Of the frames from `first` on about half of `most`, where there are more, evenly by the way of
+// the tiles.
+void thin_out(std::vector<PathFrame>& frames, std::size_t first, int most) {
+  if (frames.size() <= first + most) return;
+  const double begin = frames[first].moved, whole = frames.back().moved - begin;
+  const int wanted = std::max(most / 2 - 1, 1);
+  std::size_t kept = first;
+  for (std::size_t k = first; k + 1 < frames.size(); ++k) {
+    if ((frames[k].moved - begin) * wanted < whole * static_cast<double>(kept - first)) continue;
+    if (kept != k) frames[kept] = std::move(frames[k]);
+    ++kept;
   }
-  kept.push_back(std::move(frames.back()));
-  frames = std::move(kept);
-}
-
-// Leaves memories of so many numbers: of the first frame, the last, and between them evenly by the
-// way of the tiles.
-void forget_some(std::vector<PathFrame>& frames, Eigen::Index most) {
-  std::vector<PathFrame*> remembering;
-  Eigen::Index numbers = 0;
-  for (PathFrame& frame : frames) {
-    if (frame.memory.size() == 0) continue;
-    remembering.push_back(&frame);
-    numbers += frame.memory.size();
-  }
-  while (numbers > most && remembering.size() > 2) {
-    std::size_t least = 1;
-    auto gap = [&](std::size_t k) { return remembering[k + 1]->moved - remembering[k - 1]->moved; };
-    for (std::size_t k = 2; k + 1 < remembering.size(); ++k) {
-      if (gap(k) < gap(least)) least = k;
-    }
-    numbers -= remembering[least]->memory.size();
-    remembering[least]->memory.resize(0);
-    remembering.erase(remembering.begin() + static_cast<std::ptrdiff_t>(least));
-  }
+  frames[kept] = std::move(frames.back());
+  frames.resize(kept + 1);
 }
 
 }  // namespace
 
-void count_on(std::vector<PathFrame>& frames, const PathFrame& last) {
-  for (PathFrame& frame : frames) {
-    frame.time += last.time;
-    frame.friction += last.friction;
-    frame.hands += last.hands;
-    frame.moved += last.moved;
-  }
-}
+// Presses tiles towards their places: a force that fades within `reach` of a place.
+class Path::Former : public MotionEnergy {
+ public:
+  Points3 places;    // of the tiles' centres
+  double force = 0;  // N on a tile that is far from its place
+  double reach = 0;  // mm
 
-PathFollower::PathFollower(const TileBodies& bodies, TileWorld& world, const PathOptions& options,
-                           const PointLoads* hands)
-    : bodies_(bodies), world_(world), options_(options), hands_(hands) {
-  world.world->begin_path(pace_of(bodies.parameters));
-  if (options.from) world.world->resume(*options.from);
-  now_.energy = world.world->energy() - pushing();
-  keep();
-}
-
-void PathFollower::keep() {
-  now_.poses = world_.world->poses();
-  now_.stretch = mean_stretch(bodies_, now_.poses);
-  if (options_.remembers) now_.memory = packed(world_.world->path_state());
-  path_.frames.push_back(now_);
-  forget_some(path_.frames, options_.most_remembered);
-}
-
-StepReport PathFollower::step() {
-  ContactWorld& moving = *world_.world;
-  const Poses before = moving.poses();
-  const double pushed = pushing();
-  const StepReport step = moving.advance();
-  path_.iterations += step.iterations;
-  path_.factorizations += step.factorizations;
-  path_.at_rest = step.at_rest;
-  if (step.at_rest) return step;
-  ++path_.steps;
-  path_.largest_rise = std::max(path_.largest_rise, step.energy - step.before);
-  path_.found_anew += std::abs(step.before - pushed - now_.energy);
-  for (const TouchForce& touch : moving.forces()) {
-    path_.deepest = std::max(path_.deepest, -touch.gap);
-  }
-  now_.time += 1 / step.weight;
-  now_.energy = step.energy - pushing();
-  now_.friction += step.friction;
-  now_.hands += pushed - pushing();
-  now_.moved += mean_way(before, moving.poses(), world_.tile_count);
-  keep();
-  thin_out(path_.frames, 8 * options_.most_frames);
-  return step;
-}
-
-ActuationPath PathFollower::take() {
-  thin_out(path_.frames, 2 * options_.most_frames);
-  return std::move(path_);
-}
-
-ActuationPath follow_path(const TileBodies& bodies, TileWorld& world, const PathOptions& options) {
-  PathFollower follower(bodies, world, options);
-  const ActuationPath& path = follower.path();
-  std::vector<double> energies;  // before each step
-  bool stopped = false;
-  const double least_part =
-      bodies.parameters.gravity == "resting" ? stalled_part_resting : stalled_part;
-  try {
-    while (path.steps < options.max_steps) {
-      const int earlier = path.steps - stalled_steps;
-      const double now = follower.energy();
-      if (earlier > 0 && energies[earlier] - now < least_part * std::abs(now)) break;
-      energies.push_back(now);
-      if (follower.step().at_rest) break;
-      if (options.reports) {
-        checkpoint("actuate", options.begun + options.share * path.steps / (path.steps + 50.0));
-      }
+  std::unique_ptr<MotionEnergy> part(const BodyPart&) const override { return nullptr; }
+  void couple(std::vector<Coupling>&) const override {}
+  double value(const Poses& poses) const override {
+    double sum = 0;
+    for (Eigen::Index i = 0; force > 0 && i < places.rows(); ++i) {
+      sum += force * (std::hypot((poses[i].t - places.row(i).transpose()).norm(), reach) - reach);
     }
-  } catch (const Cancelled&) {
-    stopped = true;
+    return sum;
   }
-  ActuationPath out = follower.take();
-  out.stopped = stopped;
-  out.at_rest = out.at_rest && !stopped;
-  return out;
+  double derivatives(const Poses& poses, double, Motions& gradient, BlockMatrix<6>* hessian,
+                     int) const override {
+    for (int i = 0; force > 0 && i < places.rows(); ++i) {
+      const Vec3 way = poses[i].t - places.row(i).transpose();
+      const double length = std::hypot(way.norm(), reach);
+      MotionDerivatives<1> out;
+      out.gradient.head<3>() = force / length * way;
+      out.hessian.topLeftCorner<3, 3>() =
+          force / length *
+          (Eigen::Matrix3d::Identity() - way * way.transpose() / (length * length));
+      out.add_to({i}, gradient, hessian, 0);
+    }
+    return value(poses);
+  }
+};
+
+Path::Path(const TileBodies& bodies, TileWorld& world, double friction, const PathOptions& options)
+    : bodies_(bodies),
+      tiles_(bodies.geometry.tiles),
+      world_(*world.world),
+      options_(options),
+      friction_(friction),
+      centres_(tile_centres(tiles_)),
+      actuated_(tile_poses()) {
+  auto former = std::make_unique<Former>();
+  former->places.resize(tiles_.tile_count(), 3);
+  former->reach = former_reach * bodies.parameters.L;
+  former_ = former.get();
+  world_.add(std::move(former));
+  world_.set_poses(piece_poses(bodies, flat_tiles(bodies)));
+  const std::vector<int> piece = pieces_of_faces(tiles_.topology, tiles_.cut);
+  for (int i = 0; i < tiles_.tile_count(); ++i) {
+    if (piece[i] >= static_cast<int>(pieces_.size())) pieces_.resize(piece[i] + 1);
+    pieces_[piece[i]].push_back(i);
+  }
+}
+
+Poses Path::tile_poses() const {
+  const Poses& all = world_.poses();
+  return {all.begin(), all.begin() + tiles_.tile_count()};
+}
+
+RestState Path::release() {
+  begin(LoadCase::released);
+  world_.set_friction(friction_);
+  run(options_.max_steps);
+  return finish(options_.most_frames);
+}
+
+RestState Path::shake() {
+  begin(LoadCase::shaken);
+  for (int weak = 0; state_.taps < most_taps && weak < 2; ++state_.taps) {
+    const double before = now_.energy;
+    world_.set_friction(0);
+    step();
+    world_.set_friction(friction_);
+    run(steps_a_tap);
+    weak = before - now_.energy < weak_tap * std::abs(before) ? weak + 1 : 0;
+  }
+  run(options_.max_steps);
+  return finish(few_frames);
+}
+
+RestState Path::press() {
+  const double force = press_of_normal * state_.push;
+  begin(LoadCase::pressed);
+  state_.force = former_->force = force;
+  for (double friction : {0.0, friction_}) {
+    world_.set_friction(friction);
+    run(pressed_steps);
+  }
+  former_->force = 0;
+  run(options_.max_steps);
+  return finish(few_frames);
+}
+
+void Path::begin(LoadCase load) {
+  world_.begin_path(pace_of(bodies_.parameters));
+  state_ = {};
+  now_.load = load;
+  now_.energy = world_.energy();
+  first_frame_ = frames_.size();
+  if (!frames_.empty()) return;
+  now_.tiles = frame_rows(tiles_, tile_poses());
+  now_.stretch = mean_stretch(bodies_, world_.poses());
+  frames_.push_back(now_);
+}
+
+// An implicit Euler step; true where the piece is at rest and nothing moved.
+bool Path::step() {
+  if (former_->force > 0) fit_former();
+  const Poses before = world_.poses();
+  const double load_before = former_->value(world_.poses());
+  const StepReport report = world_.advance();
+  state_.iterations += report.iterations;
+  state_.factorizations += report.factorizations;
+  state_.at_rest = report.at_rest;
+  if (report.at_rest) return true;
+  ++state_.steps;
+  largest_rise_ = std::max(largest_rise_, report.energy - report.before);
+  found_anew_ += std::abs(report.before - load_before - now_.energy);
+  for (const TouchForce& touch : world_.forces()) deepest_ = std::max(deepest_, -touch.gap);
+  now_.time += 1 / report.weight;
+  now_.energy = report.energy - former_->value(world_.poses());
+  now_.friction += report.friction;
+  now_.moved += mean_distance(before, world_.poses(), tiles_.tile_count());
+  now_.tiles = frame_rows(tiles_, tile_poses());
+  now_.stretch = mean_stretch(bodies_, world_.poses());
+  frames_.push_back(now_);
+  thin_out(frames_, first_frame_, 4 * options_.most_frames);
+  return false;
+}
+
+// Steps until the piece is at rest (true) or goes round in circles.
+bool Path::run(int most_steps) {
+  std::vector<double> energies;  // before each step
+  for (int k = 0; k < most_steps; ++k) {
+    if (k > stalled_steps &&
+        energies[k - stalled_steps] - now_.energy < stalled_part * std::abs(now_.energy)) {
+      return false;
+    }
+    energies.push_back(now_.energy);
+    if (step()) return true;
+    const int load = static_cast<int>(now_.load);
+    checkpoint(doing[load], (load + state_.steps / (state_.steps + 50.0)) / 3);
+  }
+  return false;
+}
+
+// Lays the former under each piece as that stands.
+void Path::fit_former() {
+  for (const std::vector<int>& own : pieces_) {
+    const Eigen::Index count = static_cast<Eigen::Index>(own.size());
+    Points3 from(count, 3), to(count, 3);
+    for (Eigen::Index k = 0; k < count; ++k) {
+      from.row(k) = actuated_[own[k]].t.transpose();
+      to.row(k) = world_.poses()[own[k]].t.transpose();
+    }
+    const RigidMotion fit = best_fit(from, to);
+    for (int i : own) former_->places.row(i) = fit(actuated_[i].t).transpose();
+  }
+}
+
+// Describes where the load case has led.
+RestState Path::finish(int most_frames) {
+  const Finishing finishing;
+  thin_out(frames_, first_frame_, 2 * most_frames);
+  state_.last_frame = static_cast<int>(frames_.size()) - 1;
+  state_.energy = now_.energy;
+  const TriangleMesh surface = fitted_surface(tiles_, centres_, world_.poses());
+  const ClosestPoints target(tiles_.mesh);
+  state_.scan = describe_scan(scan_distances(surface, target), surface, tiles_.mesh);
+  std::map<std::array<int, 2>, double> contacts;
+  for (const Contact& contact : tiles_.contacts) contacts[contact.tile] = 0;
+  for (const TouchForce& force : world_.forces()) {
+    const auto contact = contacts.find(force.body);
+    if (contact != contacts.end()) contact->second += force.push;
+  }
+  for (const auto& [pair, push] : contacts) {
+    if (push == 0) state_.open_contacts.push_back(pair);
+    state_.push += push / static_cast<double>(contacts.size());
+  }
+  return state_;
 }
 
 }  // namespace curveups

@@ -1,77 +1,96 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The path of a piece from any poses of its tiles to where it comes to rest. It is overdamped, as
-// membranes are slow and tiles light: neighbours resist one another with a drag of 1 N s / mm
-// (contact/drag), and friction holds them as Coulomb's law says (ContactWorld::advance). Stored
-// energy falls by what drag and friction take. All tiles that touch are equally stiff, so that
-// corners do not sink into one another.
+// The path of a piece from flat: released, then shaken, then pressed over its former and let go.
+//
+// One integrator moves the tiles under all three loads. The motion is overdamped, as membranes are
+// slow and tiles light: neighbours resist one another with a drag of 1 N s / mm (contact/drag), and
+// friction follows Coulomb's law (ContactWorld::advance). Stored energy falls by what drag and
+// friction take. All touching walls are equally stiff, so that corners do not sink into one
+// another.
 #pragma once
 
-#include "curveups/contact/tile_world.hpp"
+#include "curveups/actuation/flat_piece.hpp"
+#include "curveups/contact/virtual_scan.hpp"
 
 namespace curveups {
 
+enum class LoadCase { released, shaken, pressed };
+
 struct PathOptions {
-  int max_steps = 1000;
-  int most_frames = 60;         // kept, about, evenly by how far tiles move, with both ends
-  bool reports = true;          // how far it is; else it can only be stopped
-  double begun = 0, share = 1;  // of what it reports: where it begins, and its part of the whole
-  const ContactWorld::PathState* from = nullptr;  // where an earlier path stood; it outlives this
-  bool remembers = false;                         // whether frames have a memory
-  Eigen::Index most_remembered = 4'000'000;       // numbers of all memories: 17 MB of a file
+  int max_steps = 1000;  // of a load case, once nothing but friction and membranes act
+  int most_frames = 60;  // about, of the release, evenly by how far tiles move, with both ends
 };
 
 struct PathFrame {
-  double time = 0;         // s, under the drag
-  double energy = 0;       // stored, N mm
-  double friction = 0;     // what friction has taken so far, N mm
-  double hands = 0;        // what hands have put in so far, N mm
-  double stretch = 0;      // mean_stretch
-  double moved = 0;        // how far tiles have moved so far, in the mean, mm
-  Poses poses;             // of all bodies of the world
-  Eigen::VectorXd memory;  // where the path stood (path_memory.hpp), as far as there is room
+  LoadCase load = LoadCase::released;
+  double time = 0;      // s, under the drag
+  double energy = 0;    // stored, N mm
+  double friction = 0;  // work done against friction so far, N mm
+  double stretch = 0;   // mean_stretch
+  double moved = 0;     // mean distance that tiles have covered so far, mm
+  FrameRows tiles;
 };
 
-// Makes frames of a path that goes on from `last` count on from there.
-void count_on(std::vector<PathFrame>& frames, const PathFrame& last);
-
-struct ActuationPath {
-  std::vector<PathFrame> frames;
-  bool at_rest = false;  // all forces balance
-  bool stopped = false;  // by whoever watches: the path so far
-  // N mm: by which stored energy less the work of hands rose in a step, at most, and stored energy
-  // between steps where contact points were found anew, in all.
-  double largest_rise = 0, found_anew = 0;
-  double deepest = 0;  // mm: of points in faces at the end of steps, at most
+// End of a load case.
+struct RestState {
+  bool at_rest = false;                           // all forces balance
+  double energy = 0;                              // N mm
+  VirtualScan scan;                               // of the front surface, beside the design
+  std::vector<std::array<int, 2>> open_contacts;  // pairs of tiles whose contact carries nothing
+  double push = 0;                                // mean normal force of the contacts, N
+  int last_frame = 0;
   int steps = 0, iterations = 0, factorizations = 0;
+  int taps = 0;      // of shaking
+  double force = 0;  // N on a tile, of pressing
 };
 
-// A path step by step, from where the world's bodies are.
-class PathFollower {
+class Path {
  public:
-  // All outlive it. hands: of the world's energies, what is not stored but put in.
-  PathFollower(const TileBodies& bodies, TileWorld& world, const PathOptions& options,
-               const PointLoads* hands = nullptr);
-  // The world's next step, and a frame of it. At rest nothing moves. Throws Cancelled.
-  StepReport step();
-  // What there is of the path so far, with some most_frames frames.
-  ActuationPath take();
-  const ActuationPath& path() const { return path_; }
-  double energy() const { return now_.energy; }  // stored, N mm
+  // world: without weight or ground, its bodies where tiles are actuated, which is the shape of the
+  // former. bodies and world outlive the path. Moves the tiles to the layout.
+  Path(const TileBodies& bodies, TileWorld& world, double friction, const PathOptions& options);
+
+  // Each goes on from where the piece is and ends where it comes to rest, goes round in circles or
+  // has taken max_steps. Throws Cancelled; the frames so far stay.
+  RestState release();
+  // A tap lets go of friction for one step. Taps follow until two in a row lower the energy by
+  // less than a ten-thousandth.
+  RestState shake();
+  // Each tile is pressed towards its place on the former, which is fitted to its piece as that
+  // stands: without friction, as if it were shaken, then with friction. Then the piece is let go.
+  RestState press();
+
+  const std::vector<PathFrame>& frames() const { return frames_; }
+  // N mm: largest rise of stored energy, less the work of the loads, in a step; and sum of its
+  // changes between steps, where contact points are found anew.
+  double largest_rise() const { return largest_rise_; }
+  double found_anew() const { return found_anew_; }
+  double deepest() const { return deepest_; }  // mm, of points in faces at the end of steps
 
  private:
-  void keep();
-  double pushing() const { return hands_ ? hands_->value(world_.world->poses()) : 0; }
+  class Former;
+
+  void begin(LoadCase load);
+  bool step();
+  bool run(int most_steps);
+  void fit_former();
+  RestState finish(int most_frames);
+  Poses tile_poses() const;
 
   const TileBodies& bodies_;
-  TileWorld& world_;
+  const TileMesh& tiles_;
+  ContactWorld& world_;
+  Former* former_;  // of the world's energies
   PathOptions options_;
-  const PointLoads* hands_;
-  ActuationPath path_;
-  PathFrame now_;
-};
+  double friction_;
+  Points3 centres_;
+  Poses actuated_;  // of the tiles
+  std::vector<std::vector<int>> pieces_;
 
-// Moves the world's bodies, from where they are, until they are at rest. Where it is stopped, or
-// does not converge, the path ends there.
-ActuationPath follow_path(const TileBodies& bodies, TileWorld& world, const PathOptions& options);
+  std::vector<PathFrame> frames_;
+  PathFrame now_;
+  RestState state_;
+  std::size_t first_frame_ = 0;  // of the load case
+  double largest_rise_ = 0, found_anew_ = 0, deepest_ = 0;
+};
 
 }  // namespace curveups

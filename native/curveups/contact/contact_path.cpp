@@ -18,14 +18,6 @@ constexpr double least_convex = 0.05;
 
 }  // namespace
 
-void ContactWorld::resume(PathState from) {
-  restore(std::move(from.state));
-  convex_ = from.convex;
-  contacts_.coupled = std::move(from.coupled);
-  places_ = std::move(from.places);
-  if (places_.rows() > 0) make_pattern();
-}
-
 void ContactWorld::begin_path(const Pace& pace) {
   pace_ = pace;
   options_.search = pace.search;

@@ -64,11 +64,6 @@ class ContactWorld {
   // start: a pose for each body, in their order.
   ContactWorld(std::vector<RigidBody> bodies, Poses start, const WorldOptions& options);
 
-  // More bodies, after the others. Before the first step.
-  void append(const std::vector<RigidBody>& bodies, const Poses& poses) {
-    bodies_.insert(bodies_.end(), bodies.begin(), bodies.end());
-    poses_.insert(poses_.end(), poses.begin(), poses.end());
-  }
   // Before the first step.
   void add(std::unique_ptr<MotionEnergy> energy) { energies_.push_back(std::move(energy)); }
   void set_friction(double coefficient) { contacts_.friction_coefficient = coefficient; }
@@ -104,18 +99,6 @@ class ContactWorld {
   // limits follow the normal forces from iteration to iteration. No body moves past another
   // (meeting.hpp). at_rest: forces balance under Coulomb's law, and nothing moved.
   void begin_path(const Pace& pace);
-  // Where a path stands, bit by bit: bodies, contacts and what friction remembers, the step's
-  // weight, and where the pattern of the second derivatives comes from, on whose order of
-  // elimination their rounding depends.
-  struct PathState {
-    State state;
-    double convex = 1;
-    std::vector<std::array<int, 2>> coupled;
-    Eigen::MatrixXd places;  // none before the first step
-  };
-  PathState path_state() const { return {state(), convex_, contacts_.coupled, places_}; }
-  // After begin_path: the path goes on as it would have.
-  void resume(PathState from);
   StepReport advance();
   // Until it is at rest, or a step was not converged, or `enough` says so.
   StepReport settle(int max_steps, const std::function<bool(const StepReport&)>& enough = {});

@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
+#include <string>
+#include <vector>
 
 #include "curveups/actuation/actuated_design.hpp"
 #include "curveups/bodies/convex_distance.hpp"
-#include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 #include "support/designs.hpp"
 
@@ -60,26 +60,34 @@ Design pyramid(double height) {
   return spread_design(mesh, 1.4, 0.6);
 }
 
-ActuatedDesign rise(Design design, double friction, bool answers = false) {
+ActuatedDesign actuate(Design design, double friction, const PathOptions& options = {}) {
   design.parameters.mesh_size = 2;
   design.parameters.bumps = "none";
   design.parameters.friction_coefficient = friction;
-  ActuationOptions options;
-  options.answers = answers;
   return actuate_design(design, options, {});
 }
 
-Vec3 normal_of(const Points3& corners, int tile) {
-  const Vec3 a = corners.row(3 * tile), b = corners.row(3 * tile + 1),
-             c = corners.row(3 * tile + 2);
-  return (b - a).cross(c - a).normalized();
+// Front normals of the tiles where a load case ends.
+std::vector<Vec3> normals_at(const Design& design, const ActuatedDesign& piece,
+                             const RestState& state) {
+  const int count = static_cast<int>(design.mesh.F.rows());
+  const auto motions = frame_motions(piece.frames[state.last_frame].tiles, count);
+  std::vector<Vec3> out;
+  for (int i = 0; i < count; ++i) {
+    const Vec3 a = design.mesh.V.row(design.mesh.F(i, 0)),
+               b = design.mesh.V.row(design.mesh.F(i, 1)),
+               c = design.mesh.V.row(design.mesh.F(i, 2));
+    out.push_back(motions[i].R * (b - a).cross(c - a).normalized());
+  }
+  return out;
 }
 
 TEST(ActuatedDesign, AStripOfTenTilesClosesToItsFolds) {
   const double radius = 30, turn = 0.3;
-  const ActuatedDesign found = rise(strip(10, radius, turn), 0);
-  ASSERT_TRUE(found.end.at_rest);
-  EXPECT_TRUE(found.end.open_contacts.empty());
+  const Design design = strip(10, radius, turn);
+  const ActuatedDesign piece = actuate(design, 0);
+  ASSERT_TRUE(piece.released->at_rest);
+  EXPECT_TRUE(piece.released->open_contacts.empty());
   // Neighbours of an antiprism's wall: their normals, by the chord of half a turn.
   const Vec3 a(radius * std::sin(0.0), 0, radius),
       b(radius * std::sin(turn), 0, radius * std::cos(turn)),
@@ -87,25 +95,26 @@ TEST(ActuatedDesign, AStripOfTenTilesClosesToItsFolds) {
       d(radius * std::sin(1.5 * turn), 6, radius * std::cos(1.5 * turn));
   const double fold =
       std::acos((b - a).cross(c - a).normalized().dot((c - d).cross(b - d).normalized()));
+  const std::vector<Vec3> normals = normals_at(design, piece, *piece.released);
   for (int i = 0; i + 1 < 10; ++i) {
-    EXPECT_NEAR(std::acos(normal_of(found.corners, i).dot(normal_of(found.corners, i + 1))), fold,
-                0.005)
-        << i;
+    EXPECT_NEAR(std::acos(normals[i].dot(normals[i + 1])), fold, 0.005) << i;
   }
 }
 
 TEST(ActuatedDesign, ARingOfTilesClosesToItsPyramid) {
   const double height = 2;
-  const ActuatedDesign found = rise(pyramid(height), 0);
-  ASSERT_TRUE(found.end.at_rest);
-  EXPECT_TRUE(*found.arrives) << found.end.shortfall;
+  const Design design = pyramid(height);
+  const ActuatedDesign piece = actuate(design, 0);
+  ASSERT_TRUE(piece.released->at_rest);
+  EXPECT_TRUE(piece.released->open_contacts.empty());
   const double slope = std::atan(height / (7 * std::cos(pi / 6)));
+  const std::vector<Vec3> normals = normals_at(design, piece, *piece.released);
   Vec3 axis = Vec3::Zero();
-  for (int i = 0; i < 6; ++i) axis += normal_of(found.corners, i) / 6;
+  for (const Vec3& normal : normals) axis += normal / 6;
   // Without friction, neighbours may lean by turns: their walls stay closed. The mean may not.
   double mean = 0;
-  for (int i = 0; i < 6; ++i) {
-    const double own = std::acos(normal_of(found.corners, i).dot(axis.normalized()));
+  for (const Vec3& normal : normals) {
+    const double own = std::acos(normal.dot(axis.normalized()));
     EXPECT_NEAR(own, slope, 0.01);
     mean += own / 6;
   }
@@ -114,33 +123,33 @@ TEST(ActuatedDesign, ARingOfTilesClosesToItsPyramid) {
 
 TEST(ActuatedDesign, EnergyFallsAndFrictionTakes) {
   for (double friction : {0.0, 0.3}) {
-    const ActuatedDesign found = rise(dome(friction), friction);
-    ASSERT_GT(found.path.frames.size(), 10u);
-    EXPECT_LE(found.path.largest_rise, 1e-9 * found.path.frames[0].energy);
+    const ActuatedDesign piece = actuate(dome(friction), friction);
+    const std::vector<PathFrame>& frames = piece.frames;
+    const int end = piece.released->last_frame;
+    ASSERT_GT(end, 10);
+    EXPECT_LE(piece.largest_rise, 1e-9 * frames[0].energy);
     // Between steps contact points move.
-    EXPECT_LT(found.path.found_anew, 0.05 * found.path.frames[0].energy);
-    for (std::size_t k = 1; k < found.path.frames.size(); ++k) {
-      const PathFrame &before = found.path.frames[k - 1], &now = found.path.frames[k];
-      EXPECT_LT(now.energy, before.energy + 1e-3 * found.path.frames[0].energy);
-      EXPECT_GE(now.friction, before.friction);
-      EXPECT_LT(now.stretch, 1.0001 * found.path.frames[0].stretch);
+    EXPECT_LT(piece.found_anew, 0.05 * frames[0].energy);
+    for (int k = 1; k <= end; ++k) {
+      EXPECT_LT(frames[k].energy, frames[k - 1].energy + 1e-3 * frames[0].energy);
+      EXPECT_GE(frames[k].friction, frames[k - 1].friction);
+      EXPECT_LT(frames[k].stretch, 1.0001 * frames[0].stretch);
     }
-    EXPECT_EQ(found.path.frames.back().friction > 0, friction > 0);
+    EXPECT_EQ(frames[end].friction > 0, friction > 0);
     // Drag and friction together take what is lost.
-    EXPECT_LE(found.path.frames.back().friction,
-              found.path.frames[0].energy - found.path.frames.back().energy);
+    EXPECT_LE(frames[end].friction, frames[0].energy - frames[end].energy);
   }
 }
 
 TEST(ActuatedDesign, NoTilePassesThroughAnother) {
   const Design design = dome(0.3);
-  const ActuatedDesign found = rise(design, 0.3);
+  const ActuatedDesign piece = actuate(design, 0.3);
   const TileBodies bodies = make_tile_bodies(design);
   const TileMesh& tiles = bodies.geometry.tiles;
   double tile = 0, largest = 0;
-  for (const FrameRows& rows : found.frames) {
+  for (const PathFrame& frame : piece.frames) {
     std::vector<ConvexBody> placed;
-    const auto motions = frame_motions(rows, tiles.tile_count());
+    const auto motions = frame_motions(frame.tiles, tiles.tile_count());
     for (int i = 0; i < tiles.tile_count(); ++i) {
       placed.push_back(moved(moved(bodies.bumps.body[i], tiles.frame[i]), motions[i]));
     }
@@ -153,274 +162,90 @@ TEST(ActuatedDesign, NoTilePassesThroughAnother) {
   }
   ASSERT_GT(tile, 0);
   // Walls are springs: one that is 0.06 mm deep in another shares 2 % of its tile with it.
-  EXPECT_LT(found.path.deepest, 0.06);
+  EXPECT_LT(piece.deepest, 0.06);
   EXPECT_LT(largest, 0.02);
 }
 
-TEST(ActuatedDesign, FromTheTargetAtFrictionItStays) {
-  const Design design = dome(0.5);
-  ActuationOptions options;
-  options.start = FrameRows::Zero(design.T.rows(), 7);
-  options.start->col(3).setOnes();
-  const ActuatedDesign found = actuate_design(design, options, {});
-  ASSERT_TRUE(found.arrives);
-  EXPECT_TRUE(*found.arrives) << found.end.shortfall;
-  EXPECT_NEAR(found.end.energy, found.from_target.energy, 1e-6 * found.end.energy);
-  EXPECT_FALSE(found.trap);
-  EXPECT_TRUE(found.sampled.empty());
+TEST(ActuatedDesign, ShakenAndPressedItComesNearerToItsShape) {
+  const ActuatedDesign piece = actuate(dome(0.6), 0.6);
+  ASSERT_TRUE(piece.released && piece.shaken && piece.pressed);
+  ASSERT_TRUE(piece.released->at_rest && piece.shaken->at_rest && piece.pressed->at_rest);
+  EXPECT_GE(piece.shaken->taps, 2);
+  EXPECT_LT(piece.shaken->energy, piece.released->energy);
+  EXPECT_LT(piece.shaken->scan.mean, piece.released->scan.mean);
+  EXPECT_GT(piece.pressed->force, 0);
+  EXPECT_LT(piece.pressed->scan.mean, piece.shaken->scan.mean);
+  EXPECT_LE(piece.pressed->open_contacts.size(), piece.shaken->open_contacts.size());
+  // Frames of the load cases follow one another in time.
+  ASSERT_EQ(piece.pressed->last_frame + 1, static_cast<int>(piece.frames.size()));
+  for (std::size_t k = 1; k < piece.frames.size(); ++k) {
+    EXPECT_GE(piece.frames[k].load, piece.frames[k - 1].load);
+    EXPECT_GT(piece.frames[k].time, piece.frames[k - 1].time);
+  }
+  EXPECT_EQ(piece.frames[piece.released->last_frame + 1].load, LoadCase::shaken);
+  EXPECT_EQ(piece.frames[piece.shaken->last_frame + 1].load, LoadCase::pressed);
 }
 
-// The lowest corner of all tiles in a frame, mm.
-double lowest(const TileBodies& bodies, const FrameRows& rows) {
-  const TileMesh& tiles = bodies.geometry.tiles;
-  const auto motions = frame_motions(rows, tiles.tile_count());
-  double out = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < tiles.tile_count(); ++i) {
-    for (int c = 0; c < 3; ++c) {
-      for (Side side : {Side::front, Side::back}) {
-        const Vec2& p = tiles.corners(i, side)[c];
-        const Vec3 corner(p.x(), p.y(), side == Side::front ? 0 : -tiles.H_body);
-        out = std::min(out, motions[i](tiles.frame[i](corner)).z());
-      }
-    }
-  }
-  return out;
-}
-
-TEST(ActuatedDesign, ARestingPieceIsOnItsTableAllTheWay) {
-  Design design = dome(0.3);
-  design.parameters.gravity = "resting";
-  design.parameters.density = 8;
-  ActuationOptions options;
-  options.answers = false;
-  const ActuatedDesign found = actuate_design(design, options, {});
-  ASSERT_TRUE(found.end.at_rest);
-  const TileBodies bodies = make_tile_bodies(design);
-  FrameRows still = FrameRows::Zero(design.T.rows(), 7);
-  still.col(3).setOnes();
-  const double table = lowest(bodies, still);
-  // Corners are cut off where tiles would meet: the piece stands a little higher than this.
-  for (const FrameRows& rows : found.frames) EXPECT_NEAR(lowest(bodies, rows), table, 0.3);
-  EXPECT_NEAR(lowest(bodies, found.frames.back()), table, 0.05);
-}
-
-TEST(ActuatedDesign, AnswersAreThoseOfThePathsThatTheyName) {
-  const double own = 0.4;
-  const ActuatedDesign found = rise(dome(own), own, true);
-  ASSERT_GE(found.sampled.size(), 2u);
-  EXPECT_EQ(found.sampled.front().friction_coefficient, 0);
-  EXPECT_EQ(found.sampled.back().friction_coefficient, own);
-  EXPECT_EQ(found.sampled.back().energy, found.end.energy);
-  double reach = -1;
-  for (const PathEnd& end : found.sampled) {
-    if (end.at_rest && found.has_arrived(end)) reach = end.friction_coefficient;
-  }
-  EXPECT_EQ(found.reach_friction.value_or(-1), reach);
-  // Between the two are samples where friction may be what keeps it from arriving.
-  const bool may_arrive =
-      found.sampled.front().open_contacts.empty() || !found.sampled.front().at_rest;
-  EXPECT_EQ(found.sampled.size(), may_arrive && !found.has_arrived(found.end) ? 5u : 2u);
-  ASSERT_TRUE(found.arrives);
-  EXPECT_EQ(*found.arrives, found.has_arrived(found.end));
-  const PathEnd &a = found.sampled.front(), &b = found.frictionless_from_target;
-  ASSERT_TRUE(a.at_rest && b.at_rest && found.from_target.at_rest);
-  EXPECT_LT(found.from_target.shortfall, 1e-9);
-  ASSERT_TRUE(found.trap);
-  if (!*found.trap) {
-    EXPECT_NEAR(a.energy, b.energy, 1e-3 * b.energy);
-    EXPECT_LE(found.trap_distance, found.tolerance);
-  }
-}
-
-TEST(ActuatedDesign, WedgedTilesAreNoNeighbours) {
-  const Design design = dome(0.4);
-  const ActuatedDesign found = rise(design, 0.4);
-  const TileBodies bodies = make_tile_bodies(design);
-  for (const Contact& contact : bodies.geometry.tiles.contacts) {
-    for (const std::array<int, 2>& pair : found.end.wedged) EXPECT_NE(pair, contact.tile);
-  }
+TEST(ActuatedDesign, WeightHasNoPartInThePath) {
+  const ActuatedDesign light = actuate(dome(0.3), 0.3);
+  Design heavy = dome(0.3);
+  heavy.parameters.gravity = "resting";
+  heavy.parameters.density = 8;
+  const ActuatedDesign resting = actuate(heavy, 0.3);
+  ASSERT_EQ(resting.frames.size(), light.frames.size());
+  EXPECT_EQ(resting.frames.back().tiles, light.frames.back().tiles);
 }
 
 TEST(ActuatedDesign, IsTheSameWithAnyNumberOfThreads) {
-  std::vector<ActuatedDesign> found;
+  std::vector<ActuatedDesign> pieces;
   for (int threads : {1, 2, 4}) {
     set_thread_count(threads);
-    found.push_back(rise(dome(0.3), 0.3));
+    pieces.push_back(actuate(dome(0.3), 0.3));
   }
   set_thread_count(1);
-  ASSERT_GT(found[0].frames.size(), 5u);
-  for (const ActuatedDesign& other : found) {
-    ASSERT_EQ(other.frames.size(), found[0].frames.size());
+  ASSERT_GT(pieces[0].frames.size(), 5u);
+  for (const ActuatedDesign& other : pieces) {
+    ASSERT_EQ(other.frames.size(), pieces[0].frames.size());
     for (std::size_t k = 0; k < other.frames.size(); ++k) {
-      EXPECT_EQ(other.frames[k], found[0].frames[k]);
+      EXPECT_EQ(other.frames[k].tiles, pieces[0].frames[k].tiles);
     }
   }
 }
 
 TEST(ActuatedDesign, StoppedItKeepsThePathSoFar) {
-  ActuationOptions options;
-  bool moving = false;
-  const ActuatedDesign found =
-      actuate_design(dome(0.3), options, [&](const std::string& what, double fraction) {
-        moving = moving || (what == "actuate" && fraction > 0);
-        return !moving;
-      });
-  EXPECT_TRUE(found.path.stopped);
-  EXPECT_GE(found.frames.size(), 1u);
-  EXPECT_FALSE(found.arrives);
-  EXPECT_FALSE(found.trap);
-  EXPECT_TRUE(found.sampled.empty());
-}
-
-// Stopped when it has reported so often that tiles move.
-ActuatedDesign stopped_path(const Design& design, const ActuationOptions& options, int reports) {
-  return actuate_design(design, options, [&](const std::string& what, double fraction) {
-    reports -= what == "actuate" && fraction > 0;
-    return reports > 0;
-  });
-}
-
-TEST(ActuatedDesign, APathGoesOnAsItWouldHave) {
-  for (double friction : {0.05, 0.3}) {
-    const Design design = dome(friction);
-    ActuationOptions whole;
-    whole.answers = false;
-    const ActuatedDesign expected = actuate_design(design, whole, {});
-    ASSERT_TRUE(expected.end.at_rest);
-    for (int reports : {1, 5, 11}) {
-      const ActuatedDesign first = stopped_path(design, whole, reports);
-      ASSERT_TRUE(first.path.stopped);
-      ASSERT_LT(first.path.steps, expected.path.steps);
-      ActuationOptions rest = whole;
-      rest.start = first.frames.back();
-      rest.memory = first.path.frames.back().memory;
-      const ActuatedDesign found = actuate_design(design, rest, {});
-      EXPECT_EQ(found.frames.back(), expected.frames.back()) << reports;
-      EXPECT_EQ(found.end.energy, expected.end.energy);
-      EXPECT_EQ(found.end.open_contacts, expected.end.open_contacts);
-      EXPECT_EQ(found.path.steps + first.path.steps, expected.path.steps);
-    }
+  for (const std::string last : {"actuate", "shaking", "pressing"}) {
+    const ActuatedDesign piece = actuate_design(
+        dome(0.3), {},
+        [&](const std::string& what, double fraction) { return what != last || !(fraction > 0); });
+    EXPECT_TRUE(piece.stopped);
+    EXPECT_GE(piece.frames.size(), 1u);
+    EXPECT_EQ(piece.released.has_value(), last != "actuate");
+    EXPECT_EQ(piece.shaken.has_value(), last == "pressing");
+    EXPECT_FALSE(piece.pressed);
   }
 }
 
-TEST(ActuatedDesign, APathGoesOnFromAnyFrameThatItCameBy) {
-  const Design design = dome(0.6);
-  ActuationOptions options;
-  options.answers = false;
-  const ActuatedDesign whole = actuate_design(design, options, {});
-  const int steps = whole.path.steps;
-  ASSERT_EQ(static_cast<int>(whole.frames.size()), steps + 1);  // all of them
-  for (int k = 0; k < steps; k += std::max(1, steps / 6)) {
-    options.start = whole.frames[k];
-    options.memory = whole.path.frames[k].memory;
-    const ActuatedDesign found = actuate_design(design, options, {});
-    EXPECT_EQ(found.path.steps, steps - k);
-    EXPECT_EQ(found.frames.back(), whole.frames.back()) << k;
-    EXPECT_EQ(found.end.energy, whole.end.energy);
-    // With another friction as well, it begins where the other came by.
-    const ActuatedDesign slippery = actuate_design(dome(0.1), options, {});
-    EXPECT_EQ(slippery.frames.front(), whole.frames[k]);
-    if (2 * k < steps) {
-      EXPECT_LT(slippery.path.frames.back().friction, found.path.frames.back().friction);
-    }
+TEST(ActuatedDesign, SaysWhatDidNotComeToRest) {
+  PathOptions options;
+  options.max_steps = 3;
+  const ActuatedDesign piece = actuate(dome(0.3), 0.3, options);
+  EXPECT_FALSE(piece.stopped);
+  EXPECT_FALSE(piece.released->at_rest);
+  EXPECT_EQ(piece.released->steps, 3);
+}
+
+TEST(ActuatedDesign, KeepsFramesEvenlyAlongAPathWithoutRoomForAll) {
+  PathOptions options;
+  options.most_frames = 6;
+  const ActuatedDesign piece = actuate(dome(0.3), 0.3, options);
+  const int count = piece.released->last_frame + 1;
+  const double whole = piece.frames[count - 1].moved;
+  EXPECT_GT(piece.released->steps, 2 * options.most_frames);
+  EXPECT_GE(count, options.most_frames / 2);
+  EXPECT_LE(count, 2 * options.most_frames);
+  for (int k = 1; k < count; ++k) {
+    EXPECT_LT(piece.frames[k].moved - piece.frames[k - 1].moved, 3 * whole / (count - 1));
   }
-}
-
-TEST(ActuatedDesign, MemoriesAreEvenlyAlongAPathThatHasNoRoomForAll) {
-  const Design design = dome(0.3);
-  ActuationOptions options;
-  options.answers = false;
-  options.path.most_remembered = 40'000;
-  const std::vector<PathFrame> frames = actuate_design(design, options, {}).path.frames;
-  const double whole = frames.back().moved;
-  Eigen::Index numbers = 0;
-  double before = 0, furthest = 0;
-  int count = 0;
-  for (const PathFrame& frame : frames) {
-    if (frame.memory.size() == 0) continue;
-    numbers += frame.memory.size();
-    furthest = std::max(furthest, frame.moved - before);
-    before = frame.moved;
-    ++count;
-  }
-  EXPECT_LE(numbers, 40'000);
-  EXPECT_GT(frames.front().memory.size(), 0);
-  EXPECT_GT(frames.back().memory.size(), 0);
-  EXPECT_GE(count, 4);
-  EXPECT_LT(count, static_cast<int>(frames.size()) - 2);
-  EXPECT_LT(furthest, 3 * whole / (count - 1));
-}
-
-TEST(ActuatedDesign, WhatJammedStaysWhereItIsWithItsMemory) {
-  const Design design = dome(0.4);
-  ActuationOptions options;
-  options.answers = false;
-  const ActuatedDesign jammed = actuate_design(design, options, {});
-  options.start = jammed.frames.back();
-  options.memory = jammed.path.frames.back().memory;
-  const ActuatedDesign found = actuate_design(design, options, {});
-  EXPECT_EQ(found.path.steps, 0);
-  EXPECT_EQ(found.end.energy, jammed.end.energy);
-  EXPECT_EQ(found.path.frames.back().memory, jammed.path.frames.back().memory);
-  options.memory.reset();
-  EXPECT_GT(actuate_design(design, options, {}).path.steps, 0);
-}
-
-TEST(ActuatedDesign, RefusesAMemoryThatIsNotOfTheFrame) {
-  const Design design = dome(0.3);
-  ActuationOptions options;
-  options.answers = false;
-  options.path.max_steps = 20;
-  const ActuatedDesign first = actuate_design(design, options, {});
-  const Eigen::VectorXd& whole = first.path.frames.back().memory;
-  options.path.max_steps = 1;
-  options.start = first.frames.back();
-  auto refuses = [&](const Eigen::VectorXd& memory) {
-    options.memory = memory;
-    EXPECT_THROW(actuate_design(design, options, {}), InvalidInput);
-  };
-  refuses({});
-  refuses(whole.head(whole.size() - 1));
-  Eigen::VectorXd longer(whole.size() + 1);
-  longer << whole, 0;
-  refuses(longer);
-  // Counts, indices and places that are none: every number in turn is another, here and there.
-  int refused = 0, tried = 0;
-  for (Eigen::Index k = 0; k < whole.size(); k += whole.size() / 25) {
-    for (double other : {-1.0, 1e9, std::nan(""), 0.5, 1e300}) {
-      Eigen::VectorXd memory = whole;
-      memory(k) = other;
-      options.memory = memory;
-      ++tried;
-      try {
-        actuate_design(design, options, {});
-      } catch (const InvalidInput&) {
-        ++refused;
-      } catch (const SolverFailure&) {
-      }
-    }
-  }
-  EXPECT_GT(refused, tried / 3);
-  options.start->col(0).array() += 0.01;
-  refuses(whole);
-  options.start.reset();
-  refuses(whole);
-}
-
-TEST(ActuatedDesign, WhatDidNotComeToRestHasNoAnswer) {
-  ActuationOptions options;
-  options.path.max_steps = 3;
-  const ActuatedDesign found = actuate_design(dome(0.3), options, {});
-  EXPECT_FALSE(found.end.at_rest);
-  EXPECT_FALSE(found.arrives);
-  EXPECT_FALSE(found.trap);
-  EXPECT_FALSE(found.reach_friction);
-}
-
-TEST(ActuatedDesign, RefusesHandsThatHoldIt) {
-  Design design = dome(0.3);
-  design.parameters.gravity = "held";
-  EXPECT_THROW(actuate_design(design, {}, {}), InvalidInput);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Actuate: lets the piece rise from flat, and shows the path."""
+"""Actuate: computes the shape of the built piece, and shows the path from flat."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ class Actuate(PanelCommand):
     name = "CurveUps_Actuate"
     text = QT_TRANSLATE_NOOP("CurveUps_Actuate", "Actuate")
     tooltip = QT_TRANSLATE_NOOP("CurveUps_Actuate",
-                                "Let the piece rise from flat under its membranes, and find out whether it "
-                                "arrives by itself and what holds it back")
+                                "Compute the shape of the built piece: released from flat, shaken, and "
+                                "pressed over its former")
     panel = ActuatePanel
     which = "actuate"
 

@@ -14,6 +14,7 @@ from typing import Any, Callable, Mapping
 import numpy as np
 
 from ...base.native import native
+from ...stages.actuation import states
 from ...stages.design import design_digest
 from ...stages.feasibility import SAG
 
@@ -192,7 +193,8 @@ def force_fields(verification: Any, contacts: np.ndarray, parameters: Any) -> li
 
 def path_fields(block: Mapping[str, Any], contacts: np.ndarray) -> list[Field]:
     """Of the end of a path from flat (stages/actuation.py)."""
-    still = {tuple(sorted(pair)) for pair in block["open_contacts"]}
+    last = list(states(block).values())[-1:]
+    still = {tuple(sorted(pair)) for one in last for pair in one["open_contacts"]}
     return [Field("Open contacts", "", CONTACT,
                   lambda: [tuple(sorted(pair)) in still for pair in contacts.tolist()], "high", 0.5, "cross",
                   problem="contacts that stay open", part="Layout")]

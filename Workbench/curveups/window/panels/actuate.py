@@ -5,16 +5,14 @@ from __future__ import annotations
 
 from typing import Any, Optional
 
-from ...base.errors import CurveUpsError
 from ...base.native import translated
-from ...base.releases import RELEASES
-from ...features import actions, live
+from ...features import actions
 from ...features.live import stored
 from ...features.status import OUT_OF_DATE
-from ...stages import HELP, RISEN, START
-from ...stages.actuation import Actuation, ActuationStart, tiles_digest
+from ...stages import RISEN
+from ...stages.actuation import Actuation
 from .. import runs
-from ..notice import errors_shown, show_line, shown, words_of
+from ..notice import errors_shown, show_line, shown
 from ..overlay.cameras import active_view
 from ..overlay.scene import path_scene_of
 from ..overlay.showing import uncover
@@ -24,7 +22,6 @@ from ..units import text_of
 from .panel import Panel, enable
 
 _FRAME = 80  # ms between two pictures
-_MOST_CHANGES = 3  # that are named: the report has all
 
 
 class ActuatePanel(Panel):
@@ -37,13 +34,10 @@ class ActuatePanel(Panel):
         self._clock = QtCore.QTimer(form)
         self._clock.timeout.connect(lambda: self._advance())
         form.run.clicked.connect(lambda *_: self.run())
-        form.chosen.clicked.connect(lambda *_: self._press_selected())
-        form.changes.clicked.connect(lambda *_: self._try_changes())
         form.frame.valueChanged.connect(lambda *_: self._draw())
         form.frame.sliderPressed.connect(lambda: self._play(False))
         form.play.clicked.connect(lambda *_: self._play(not self._clock.isActive()))
         form.select.clicked.connect(lambda *_: self._select())
-        form.press.clicked.connect(lambda *_: self._select_pressed())
         form.save.clicked.connect(lambda *_: self._save())
         self._take(None)
         self._follow()
@@ -57,50 +51,22 @@ class ActuatePanel(Panel):
         if not self._overlay.closed:
             self._overlay.refresh()
 
-    def run(self, press: tuple[int, ...] = ()) -> None:
-        """Starts the run; the path is played when it ends. press: tiles that hands press."""
+    def run(self) -> None:
+        """Starts the run; the path is played when it ends."""
         self._say("")
         self._play(False)
         with errors_shown(translate("CurveUps_Actuate", "Actuate")):
-            project = live.design_project_of(self.design)
-            project.give(START, ActuationStart(
-                hands=bool(press) or self.form.hands.isChecked(),
-                release=RELEASES[self.form.release.currentIndex()], press=press,
-                of=tiles_digest(project.latest("design").design) if press else ""))
             # Later: the view is about to show the design with its results.
             runs.start("actuate", self.design, lambda: QtCore.QTimer.singleShot(0, self._arrived))
 
-    def _press_selected(self) -> None:
-        with errors_shown(translate("CurveUps_Actuate", "Actuate")):
-            if not self._overlay.selected:
-                raise CurveUpsError(translate("CurveUps_Actuate", "no tile is selected"), "", translate(
-                    "CurveUps_Actuate", "select the tiles to press in the view"))
-            self.run(tuple(self._overlay.selected))
-
-    def _try_changes(self) -> None:
-        self._say("")
-        self._play(False)
-        with errors_shown(translate("CurveUps_Actuate", "Actuate")):
-            runs.start("try_changes", self.design, lambda: QtCore.QTimer.singleShot(0, self._draw))
-
     def show(self) -> None:
-        """The path that the document holds, what would help it, and whether it is of the design as it is."""
-        form = self.form
-        found, helped = (stored(self.design).latest(name) for name in (RISEN, HELP))
+        """The path that the document holds, and whether it is of the design as it is."""
+        found = stored(self.design).latest(RISEN)
         if (found and found.block) != (self._found and self._found.block):
             self._take(found)
-        said = found.findings() if found else []
-        if found and helped and helped.before == found.block["shortfall_mm"]:  # of this very path
-            said = [*said, *helped.findings()[:_MOST_CHANGES]]
-        form.verdict.setText("<br>".join(text for one in said for text in (
-            shown(one), words_of(one.remedy())) if text))
-        form.note.setVisible(self.design.Actuation.startswith(OUT_OF_DATE))
-        self._enable_changes()
-
-    def _enable_changes(self) -> None:
-        jammed = self._found is not None and self._found.block["arrives"] is False
-        enable(self.form.changes, runs.reason("try_changes", self.design) or ("" if jammed else translate(
-            "CurveUps_Actuate", "There is no path that jams")))
+        said = found.findings() if found else ()
+        self.form.verdict.setText("<br>".join(shown(one) for one in said))
+        self.form.note.setVisible(self.design.Actuation.startswith(OUT_OF_DATE))
 
     def _take(self, found: Optional[Actuation]) -> None:
         form = self.form
@@ -118,8 +84,6 @@ class ActuatePanel(Panel):
             enable(part, lacks)
         enable(form.select, lacks or ("" if found and found.open_tiles else translate(
             "CurveUps_Actuate", "All contacts close")))
-        enable(form.press, lacks or ("" if found and found.pressed_tiles else translate(
-            "CurveUps_Actuate", "Hands press no tiles")))
 
     def _draw(self) -> None:
         """The frame of the slider."""
@@ -132,11 +96,9 @@ class ActuatePanel(Panel):
             return
         self._overlay.show_scene(self._scene.posed(found.frame(number)))
         energy = text_of(float(found.energy[number]), "mJ", float(found.energy[0]))
-        doing = _words_of_phase(found.doing[number])
-        words = (translate("CurveUps_Actuate", "Frame {number} of {count}, {doing}: {energy} stored")
-                 if doing else translate("CurveUps_Actuate", "Frame {number} of {count}: {energy} stored"))
+        words = translate("CurveUps_Actuate", "Frame {number} of {count}, {load}: {energy} stored")
         self.form.at.setText(words.format(number=number + 1, count=len(found.time), energy=energy,
-                                          doing=doing))
+                                          load=_words_of(found.loads[number])))
 
     def _play(self, on: bool) -> None:
         frame = self.form.frame
@@ -158,10 +120,6 @@ class ActuatePanel(Panel):
     def _select(self) -> None:
         if self._found is not None:
             self._overlay.select_tiles(self._found.open_tiles)
-
-    def _select_pressed(self) -> None:
-        if self._found is not None:
-            self._overlay.select_tiles(self._found.pressed_tiles)
 
     def _save(self) -> None:
         """Asks for a file, and writes the frame that is shown on the worker."""
@@ -195,17 +153,11 @@ class ActuatePanel(Panel):
             view.fitAll()
 
     def _show_running(self, running: bool) -> None:
-        form = self.form
-        for button in (form.run, form.chosen):
-            enable(button, runs.reason("actuate", self.design))
-        self._enable_changes()
+        enable(self.form.run, runs.reason("actuate", self.design))
 
 
-def _words_of_phase(name: str) -> str:
-    """What hands do or did last, as the panel says it."""
-    return {"front off": translate("CurveUps_Actuate", "front membrane off its ring"),
-            "back off": translate("CurveUps_Actuate", "back membrane off its ring"),
-            "both off": translate("CurveUps_Actuate", "both membranes off their rings"),
-            "cut out": translate("CurveUps_Actuate", "cut out"),
-            "shaking": translate("CurveUps_Actuate", "by hand, shaking"),
-            "pressing": translate("CurveUps_Actuate", "by hand, pressing")}.get(name, "")
+def _words_of(load: str) -> str:
+    """A load case as the panel says it."""
+    return {"by_itself": translate("CurveUps_Actuate", "released"),
+            "shaken": translate("CurveUps_Actuate", "shaken"),
+            "pressed": translate("CurveUps_Actuate", "pressed and let go")}[load]
