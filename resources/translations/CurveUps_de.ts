@@ -239,8 +239,8 @@
       <translation>Schubmodul der vorderen Membran (Latex). Von 0.001 bis 1000 MPa. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
-      <source>Shear stress that the glue between membranes and print withstands. Repair enlarges pins that carry more. Pins without room for that let go, and the verdict looks at what is left. From 0.001 to 100 MPa. Takes effect with Verify.</source>
-      <translation type="unfinished" />
+      <source>Shear stress that the glue between membranes and print withstands. A warning names pins that carry more. The verdict does not depend on it. From 0.001 to 100 MPa. Takes effect with Verify.</source>
+      <translation>Schubspannung, die der Kleber zwischen Membranen und Druck aushält. Eine Warnung nennt Zapfen, die mehr tragen. Das Urteil hängt nicht davon ab. Von 0.001 bis 100 MPa. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
       <source>Smallest value to which p_min may shrink at sharp folds. Use the smallest feature that the printer makes. From 0 to 20 mm. Takes effect with Solve.</source>
