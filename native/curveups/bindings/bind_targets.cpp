@@ -30,19 +30,19 @@ void bind_targets(py::module_& module) {
       .def_readonly("dihedral_margin", &Figures::dihedral_margin,
                     "N, degrees by which the fold could grow before a back face vanishes.")
       .def_readonly("back_scale", &Figures::back_scale,
-                    "M: length of the back face over that of the front face.")
+                    "M, length of the back face over that of the front face.")
       .def_readonly("pin_area", &Figures::pin_area,
                     "M x 2, front and back, mm2: of the largest pin there.")
       .def_readonly("stretch", &Figures::stretch,
-                    "M: by how much the layout's start scales the tile's place; NaN: no flat map.")
+                    "M, by how much the layout's start scales the tile's place; NaN: no flat map.")
       .def_readonly("least_stretch", &Figures::least_stretch,
-                    "M: below it the start leaves the tile less than d_gap_min.")
+                    "M, below it the start leaves the tile less than d_gap_min.")
       .def_readonly("most_stretch", &Figures::most_stretch,
-                    "M: above it the start has a slack membrane next to the tile.")
+                    "M, above it the start has a slack membrane next to the tile.")
       .def_readonly("shaped", &Figures::shaped,
                     "Whether every tile has a back face; what follows is empty otherwise.")
       .def_readonly("interface_share", &Figures::interface_share,
-                    "N: the interface's back edge over its front edge; 0: a hinge.")
+                    "N, the interface's back edge over its front edge; 0: a hinge.")
       .def_readonly("membrane_clearance", &Figures::membrane_clearance,
                     "M x 2, front and back, mm: how far pins' tops stand over the tile's corners "
                     "and contacts; negative: a membrane cuts into it.")
