@@ -100,7 +100,9 @@ double largest_distance(const TriangleMesh& mesh, const TriangleMesh& surface) {
 Deviation surface_deviation(const TriangleMesh& mesh, const TriangleMesh& target) {
   const ClosestPoints to(target), from(mesh);
   const double step = step_between(mesh, target);
-  const Sums there = sample(mesh, to, step), back = sample(target, from, step);
+  // A target of a few large faces, as of CAD parts, says nothing of the mesh's own.
+  const Sums there = sample(mesh, to, std::min(step, 0.25 * mean_side(mesh)));
+  const Sums back = sample(target, from, step);
   Deviation out;
   if (there.area > 0) {
     out.mean = there.distance / there.area;
