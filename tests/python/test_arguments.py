@@ -72,7 +72,6 @@ def test_only_what_is_like_a_name_is_taken_for_it():
     ("design", "disc", "-o", "x", "--set", "bumps=maybe"),
     ("design", "disc", "-o", "x", "--set", "run_verification=perhaps"),
     ("design", "disc", "-o", "x", "--set", "p_min=4"),
-    ("design", "disc", "-o", "x", "--set", "bump_count=3.5"),
     ("design", "no-such-target", "-o", "x"), ("design", "disc", "-o", "x", "--config", "none.json"),
     ("design", "disc", "-o", "x", "--cuts", "none.json"), ("verify", "none.json"),
     ("export", "none.json", "-o", "x"), ("remesh", "disc"),

@@ -58,7 +58,7 @@ def test_only_what_is_missing_is_run(project, ran):
 
 @pytest.mark.parametrize("name, value, kept, run", [
     ("friction_coefficient", 0.6, "layout", "verification"),
-    ("bridge_width", 1.0, "verification", "bodies"),
+    ("support", "none", "verification", "bodies"),
     ("H_body", 2.5, "target", "layout"),
     ("tau", 2.8, "pin smoothing", "layout"),
     ("d_gap_min", 0.7, "pin smoothing", "layout"),
@@ -115,11 +115,10 @@ def test_values_that_contradict_one_another_change_nothing(project):
 
 
 OTHER = {"number": lambda row, now: now * 0.9 if row.minimum <= now * 0.9 else now * 1.1 + 0.01,
-         "integer": lambda row, now: now + 1, "switch": lambda row, now: not now,
+         "switch": lambda row, now: not now,
          "choice": lambda row, now: next(c for c in row.choices if c != now),
          "tiles": lambda row, now: "T00003", "faces": lambda row, now: "Face1",
-         "opening": lambda row, now: "none", "pieces": lambda row, now: "2",
-         "direction": lambda row, now: "1,0,0"}
+         "opening": lambda row, now: "none", "pieces": lambda row, now: "2"}
 
 
 def test_no_stage_reads_a_parameter_that_it_does_not_declare(project):

@@ -207,10 +207,10 @@ def test_a_kit_goes_out_of_date_with_its_design(dome_document, tmp_path):
     written = (folder / "kit.json").stat().st_mtime_ns
     assert actions.kit(design, str(folder)) == page
     assert (folder / "kit.json").stat().st_mtime_ns == written  # it was there
-    before = design.BridgeWidth.Value
-    design.BridgeWidth = before + 1
-    assert design.Kit.startswith("out of date: ") and "BridgeWidth" in design.Kit
-    design.BridgeWidth = before
+    before = design.AnchorRadius.Value
+    design.AnchorRadius = before + 1
+    assert design.Kit.startswith("out of date: ") and "AnchorRadius" in design.Kit
+    design.AnchorRadius = before
     assert design.Kit == "current"
     design.MeshDeviation = 2 * design.MeshDeviation.Value  # of files alone
     assert design.Kit.startswith("out of date: ")

@@ -59,7 +59,7 @@ def test_a_kit_is_ordered_written_and_opened(dome_document, tmp_path, pictures, 
     form = panel().form
     assert (form.folder.text(), form.quantity.value()) == (str(folder), 3)
     assert form.names.text() == "{quantity}-{name}-{body}" and "the order" in form.line.text()
-    design.BridgeWidth = design.BridgeWidth.Value + 1
+    design.AnchorRadius = design.AnchorRadius.Value + 1
     document.recompute()
     until(lambda: form.note.isVisible(), 10, "the note")
     picture("out of date")

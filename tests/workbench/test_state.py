@@ -75,7 +75,6 @@ SOLIDS = ("Tiles", "Support", "Anchors")
 
 @pytest.mark.parametrize("name, value, command, parts", [
     ("HBody", "2.5 mm", "Verify", ("Verification", *SOLIDS)),
-    ("BumpCount", 4, "Verify", ("Verification", *SOLIDS)),
     ("FrictionCoefficient", 0.3, "Verify", ("Verification",)),
     ("ShearModulusBack", "0.3 MPa", "Verify", ("Verification",)),
     ("Tau", 2, "Solve", ("Layout", "Verification")),
@@ -132,7 +131,7 @@ def test_expressions(dome_document):
 
 @pytest.mark.parametrize("name, value, reason", [
     ("HPin", "999 mm", "50.00 mm"), ("HBody", "45 mm", "back faces vanish"), ("PMin", "5 mm", "PMax"),
-    ("BumpCount", 1, "give 3 to 40"), ("HeldTiles", "'x'", "no tile")])
+    ("HeldTiles", "'x'", "no tile")])
 def test_a_refused_value_stays_and_is_said(capfd, dome_document, tmp_path, name, value, reason):
     """In one line with range or remedy, without a traceback; shapes and results stay as they were."""
     document, design = opened(dome_document)

@@ -19,7 +19,7 @@ _SOLIDS, _PHYSICS = {"tiles", "bodies", "support"}, {"physics", "settle"}
 
 @dataclass(frozen=True)
 class Parameter:
-    """A row. type: "number", "integer", "switch", "choice", or what a text without choices holds. readers:
+    """A row. type: "number", "switch", "choice", or what a text without choices holds. readers:
     the parts of the engine that read it. minimum and maximum: of numbers, the closed range. basic: whether it
     is shown first. keeps_layout: whether a change is followed without a new layout."""
 

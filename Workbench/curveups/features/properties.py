@@ -15,10 +15,9 @@ from ..stages.solids import density_of
 # Two names belong to objects below a Design.
 _NAMES = {"support": "SupportKind", "anchors": "WithAnchors"}
 
-_TYPES = {"integer": "App::PropertyInteger", "switch": "App::PropertyBool",
-          "choice": "App::PropertyEnumeration", "tiles": "App::PropertyString",
+_TYPES = {"switch": "App::PropertyBool", "choice": "App::PropertyEnumeration", "tiles": "App::PropertyString",
           "faces": "App::PropertyString", "opening": "App::PropertyString",
-          "pieces": "App::PropertyString", "direction": "App::PropertyString"}
+          "pieces": "App::PropertyString"}
 # Types whose editor shows the unit. Where a FreeCAD lacks one (density before 0.21) the number is
 # plain and its tooltip names the unit.
 _UNIT_TYPES = {"mm": "App::PropertyLength", "mm2": "App::PropertyArea",
@@ -166,7 +165,7 @@ def _set(obj: Any, row: Any, value: Any) -> None:
 
 def _refuse_wrong(obj: Any, row: Any, name: str, value: Any) -> None:
     """Out of range, in the words and the unit schema of the property editor."""
-    if row.type not in ("number", "integer") or row.minimum <= value <= row.maximum:
+    if row.type != "number" or row.minimum <= value <= row.maximum:
         return
     raise CurveUpsError(f"{name} can't be {shown(row, value)}", obj.Label,
                         f"give {shown(row, row.minimum)} to {shown(row, row.maximum)}")
@@ -182,7 +181,7 @@ def shown(row: Any, value: float) -> str:
 
 
 def _range(row: Any) -> str:
-    if row.type not in ("number", "integer"):
+    if row.type != "number":
         return ""
     unit = f" {row.unit}" if row.unit else ""
     return f" From {row.minimum:g} to {row.maximum:g}{unit}."

@@ -21,7 +21,7 @@ std::vector<std::string> readers(const ParameterInfo& info) {
 
 py::dict row_of(const ParameterInfo& info) {
   static const Parameters defaults;
-  constexpr const char* types[] = {"number", "integer", "switch", "choice"};
+  constexpr const char* types[] = {"number", "switch", "choice"};
   py::dict row;
   row["name"] = std::string(info.name);
   row["unit"] = std::string(info.unit);

@@ -15,6 +15,7 @@
 namespace curveups {
 namespace {
 
+constexpr int bump_count = 3;            // a plane on three points does not rock
 constexpr double edge_margin = 0.1;      // between a cap and the rim of its wall, mm
 constexpr double bump_spacing = 0.2;     // between two caps of an interface, mm
 constexpr double flat_clearance = 0.05;  // between a cap and the neighbour in the flat layout, mm
@@ -193,7 +194,7 @@ class Planner {
       shape_[k] = {0.5 * bump_aspect * p_.bump_height * shrunk, p_.bump_height};
       const double apart = p_.bumps == "dimples" ? 2 * dimple_of(shape_[k]).radius + material_
                                                  : 2 * shape_[k].radius + bump_spacing;
-      for (const Vec2& p : bump_pattern(region(k, plane, shape_[k]), p_.bump_count, apart)) {
+      for (const Vec2& p : bump_pattern(region(k, plane, shape_[k]), bump_count, apart)) {
         centres_[k].push_back(plane.to_world(p));
       }
       if (!centres_[k].empty()) return;

@@ -252,7 +252,7 @@ class Builder {
   void add_ground() {
     const Parameters& p = bodies_.parameters;
     if (p.gravity != "resting") return;
-    const Vec3 up = -direction_of(p.gravity_direction);
+    const Vec3 up = -gravity_down;
     const Vec3 along = up.unitOrthogonal(), across = up.cross(along);
     double lowest = std::numeric_limits<double>::infinity(), far = 0;
     for (int i = 0; i < count_; ++i) {

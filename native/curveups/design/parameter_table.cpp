@@ -86,8 +86,6 @@ std::vector<ParameterInfo> make_table() {
      basic | keeps_layout, tiles, &P::bumps, 0, 0, {"bumps", "dimples", "none"}},
     {"bump_height", "mm", "Bumps", "Height of a friction bump above its wall.",
      basic | keeps_layout, tiles, &P::bump_height, 0.02, 5},
-    {"bump_count", "", "Bumps", "Number of bumps on an interface. Its two tiles share them.",
-     keeps_layout, bodies, &P::bump_count, 3, 40},
     {"xy_compensation", "mm", "Bumps",
      "Move each wall that meets another one without bumps back by this. It makes up for the "
      "growth of printed walls (XY compensation).",
@@ -101,8 +99,6 @@ std::vector<ParameterInfo> make_table() {
      "Choose which side faces up in the print. With front-down, breakaway bridges span "
      "between walls that stand already.",
      basic | keeps_layout, support, &P::orientation, 0, 0, {"front-up", "front-down"}},
-    {"bridge_width", "mm", "Support", "Width of a breakaway bridge.",
-     keeps_layout, support, &P::bridge_width, 0.1, 20},
     {"anchors", "", "Anchors",
      "Add cylinders around the layout that carry the pull of the surplus membrane.",
      basic | keeps_layout, layout | support, &P::anchors},
@@ -171,9 +167,6 @@ std::vector<ParameterInfo> make_table() {
      keeps_layout, physics, &P::held_tiles, 0, 0, {}, "tiles"},
     {"density", "g/cm3", "Physics", "Density of the tiles. It gives them their weight.",
      keeps_layout, physics, &P::density, 0, 30},
-    {"gravity_direction", "", "Physics",
-     "Direction of gravity as x,y,z in the coordinates of the target. Its length has no effect.",
-     keeps_layout, physics, &P::gravity_direction, -1, 1, {}, "direction"},
     {"run_verification", "", "Stages",
      "Compute membranes and contact forces, and decide whether the design is valid.",
      0, physics, &P::run_verification},

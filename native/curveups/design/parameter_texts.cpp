@@ -68,17 +68,6 @@ bool is_pieces(std::string_view text) {
   return text == "auto" || (read(text, count) && text[0] != '0' && count >= 1 && count <= 24);
 }
 
-bool read_vector(std::string_view text, Vec3& v) {
-  const std::vector<std::string_view> words = words_of(text);
-  return words.size() == 3 && read(words[0], v[0]) && read(words[1], v[1]) &&
-         read(words[2], v[2]) && v.allFinite();
-}
-
-bool is_direction(std::string_view text) {
-  Vec3 v;
-  return read_vector(text, v);
-}
-
 constexpr Kind kinds[] = {
     {"tiles", is_tile,
      [](const std::string& text) {
@@ -98,10 +87,6 @@ constexpr Kind kinds[] = {
      [](const std::string& text) {
        return InvalidInput("'" + text + "' is no number of pieces",
                            "give auto, or a whole number from 1 to 24");
-     }},
-    {"direction", is_direction,
-     [](const std::string& text) {
-       return InvalidInput("'" + text + "' is no direction", "give x,y,z: 0,0,-1");
      }},
 };
 
@@ -129,17 +114,6 @@ std::vector<int> listed_tiles(std::string_view text) {
   std::sort(tiles.begin(), tiles.end());
   tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
   return tiles;
-}
-
-Vec3 direction_of(std::string_view text) {
-  check_text("direction", text);
-  Vec3 v;
-  read_vector(text, v);
-  if (v.isZero(0)) {
-    throw InvalidInput("gravity has no direction: gravity_direction is " + std::string(text),
-                       "give a direction, or set gravity to off");
-  }
-  return v.stableNormalized();
 }
 
 }  // namespace curveups

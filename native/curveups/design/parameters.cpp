@@ -79,13 +79,6 @@ void set_parameter(Parameters& parameters, std::string_view name, const Paramete
   const ParameterInfo& info = find(name);
   if (const auto* member = std::get_if<double P::*>(&info.member)) {
     parameters.*(*member) = to_number(info, value);
-  } else if (const auto* whole = std::get_if<int P::*>(&info.member)) {
-    const double x = to_number(info, value);
-    if (x != std::floor(x)) {
-      refuse(info, value,
-             "give a whole number from " + number(info.minimum) + " to " + number(info.maximum));
-    }
-    parameters.*(*whole) = static_cast<int>(x);
   } else if (const auto* flag = std::get_if<bool P::*>(&info.member)) {
     parameters.*(*flag) = to_switch(info, value);
   } else if (info.choices.empty()) {
@@ -109,16 +102,8 @@ void set_parameter(Parameters& parameters, std::string_view name, const Paramete
 }
 
 ParameterValue get_parameter(const Parameters& parameters, std::string_view name) {
-  return std::visit(
-      [&](auto member) {
-        using Value = std::decay_t<decltype(parameters.*member)>;
-        if constexpr (std::is_same_v<Value, int>) {
-          return ParameterValue(static_cast<double>(parameters.*member));
-        } else {
-          return ParameterValue(parameters.*member);
-        }
-      },
-      find(name).member);
+  return std::visit([&](auto member) { return ParameterValue(parameters.*member); },
+                    find(name).member);
 }
 
 bool operator==(const Parameters& a, const Parameters& b) {
@@ -145,7 +130,6 @@ void check_parameters(const Parameters& p) {
                            number(p.d_gap_min) + " mm)",
                        "lower bump_height or raise d_gap_min");
   }
-  if (p.gravity != "off") direction_of(p.gravity_direction);
   if (p.support == "soluble" && p.orientation == "front-down") {
     throw InvalidInput(
         "a soluble slab can't be printed front side down: it lies on the bed beside "

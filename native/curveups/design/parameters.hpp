@@ -39,12 +39,10 @@ struct Parameters {
   // Bumps
   std::string bumps = "bumps";
   double bump_height = 0.25;
-  int bump_count = 3;
   double xy_compensation = 0.05;
   // Support
   std::string support = "soluble";
   std::string orientation = "front-up";
-  double bridge_width = 0.8;
   // Anchors
   bool anchors = true;
   double anchor_radius = 4.0;
@@ -68,7 +66,6 @@ struct Parameters {
   std::string gravity = "off";
   std::string held_tiles;  // as listed_tiles reads them
   double density = 1.18;
-  std::string gravity_direction = "0,0,-1";  // as direction_of reads it
   // Stages
   bool run_verification = true;
   bool run_repair = true;
@@ -117,9 +114,7 @@ struct ParameterInfo {
   std::string_view meaning;  // one sentence, the tooltip
   unsigned traits;           // trait::Trait flags
   unsigned readers;          // reader::Part flags
-  std::variant<double Parameters::*, int Parameters::*, bool Parameters::*,
-               std::string Parameters::*>
-      member;
+  std::variant<double Parameters::*, bool Parameters::*, std::string Parameters::*> member;
   double minimum = 0;  // numbers: the closed range
   double maximum = 0;
   std::vector<std::string_view> choices = {};  // texts; none where `text` says what they are

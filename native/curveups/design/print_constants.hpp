@@ -25,6 +25,9 @@ inline constexpr double anchor_distance = 3.0;
 // Between the axes of neighbouring anchors: 6 mm of bare membrane between anchors of 8 mm.
 inline constexpr double anchor_spacing = 14.0;
 
+// Width of a breakaway bridge: two lines of a 0.4 mm nozzle.
+inline constexpr double bridge_width = 0.8;
+
 // Depth to which a breakaway bridge enters each body, so that they print as one.
 inline constexpr double bridge_depth = 0.2;
 

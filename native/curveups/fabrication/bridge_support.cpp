@@ -43,7 +43,7 @@ void add_anchor_wishes(const PrintModel& model, int piece, const Vec2& c, double
       for (std::size_t e = 0; e < hull[tile].size(); ++e) {
         const Vec2 &a = hull[tile][e], &b = hull[tile][(e + 1) % hull[tile].size()];
         const Vec2 target = a + s * (b - a);
-        if (wedge(b - a, c - a) >= 0 || (b - a).norm() < p.bridge_width) continue;
+        if (wedge(b - a, c - a) >= 0 || (b - a).norm() < bridge_width) continue;
         // Towards the axis, or straight out of the wall, where the anchor is met beside its axis.
         const Vec2 inwards = (c - target).normalized(), out = -left_of(b - a).normalized();
         wish.sight.push_back({0.5 * (target + c - r * inwards), inwards});
@@ -134,7 +134,7 @@ void add_bridges(PrintModel& model, const std::vector<PieceFootprint>& footprint
 }
 
 ThinFeature notch(const Parameters& p) {
-  return {"", "notch of the bridge", std::min(bridge_neck(p), p.bridge_width)};
+  return {"", "notch of the bridge", std::min(bridge_neck(p), bridge_width)};
 }
 
 }  // namespace

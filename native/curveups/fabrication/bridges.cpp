@@ -61,7 +61,7 @@ bool contains(const ConvexBody& body, const Vec3& p) {
 
 // The box with a notch in its underside at either wall: on that side, the back, users break them,
 // and whoever prints it front side down prints notches that are open at their top.
-PrintBody notched(const Span& span, const Parameters& p, double z0, double z1) {
+PrintBody notched(const Span& span, double z0, double z1) {
   const double gap = span.wall_to - span.wall_from;
   const double half = std::min(bridge_notch, 0.24 * gap);
   std::vector<std::array<double, 2>> profile{{span.from, z0}};
@@ -78,7 +78,7 @@ PrintBody notched(const Span& span, const Parameters& p, double z0, double z1) {
   const Vec2 across = -left_of(span.d);  // d x z
   std::vector<int> base;
   for (const auto& [s, z] : profile) {
-    const Vec2 q = span.middle + s * span.d - 0.5 * p.bridge_width * across;
+    const Vec2 q = span.middle + s * span.d - 0.5 * bridge_width * across;
     base.push_back(static_cast<int>(body.points.size()));
     body.points.emplace_back(q.x(), q.y(), z);
   }
@@ -87,17 +87,16 @@ PrintBody notched(const Span& span, const Parameters& p, double z0, double z1) {
   first.normal = -normal;
   first.outer.points.assign(base.rbegin(), base.rend());
   second.normal = normal;
-  second.outer.points = extrude(body, base, p.bridge_width * normal, FaceRole::plain);
+  second.outer.points = extrude(body, base, bridge_width * normal, FaceRole::plain);
   body.faces.push_back(std::move(first));
   body.faces.push_back(std::move(second));
   return body;
 }
 
 std::optional<Span> find_span(const ConvexBody& a, const ConvexBody& b,
-                              const std::array<Vec2, 2>& sight, double z0, double z1,
-                              const Parameters& p) {
+                              const std::array<Vec2, 2>& sight, double z0, double z1) {
   Span span{sight[0], sight[1], 1e300, -1e300, -1e300, 1e300};
-  const Vec2 side = 0.5 * p.bridge_width * left_of(span.d);
+  const Vec2 side = 0.5 * bridge_width * left_of(span.d);
   const Vec3 d(span.d.x(), span.d.y(), 0);
   std::vector<Vec3> corners;
   for (double z : {z0, z1}) {
@@ -205,7 +204,7 @@ Bridges make_bridges(const std::vector<BridgeObstacle>& bodies,
       const auto span =
           find_span(bodies[wish.a].body, bodies[wish.b].body, wish.sight[k], z0, z1, p);
       if (!span) continue;
-      ConvexBody box = box_of(*span, p.bridge_width, z0, z1);
+      ConvexBody box = box_of(*span, bridge_width, z0, z1);
       if (free(box, wish.a, wish.b)) return Place{k, *span, std::move(box)};
     }
     return std::nullopt;

@@ -132,7 +132,7 @@ Eigen::VectorXd least_pushes(const std::vector<Foot>& feet, const Vec3& down, do
 Wrenches weights(const DesignGeometry& geometry, const FlatPoses& poses, const Array6& q,
                  const Parameters& p) {
   const TileMesh& tiles = geometry.tiles;
-  Weights out(tiles, direction_of(p.gravity_direction));
+  Weights out(tiles, gravity_down);
   if (p.gravity == "off") return Wrenches::Zero(tiles.tile_count(), 6);
   const BumpPlan plan = plan_bumps(geometry, poses, p);
   const JointHoles joints = plan_joint_holes(geometry, plan, q, p);
@@ -167,7 +167,7 @@ std::vector<int> held_tiles(const DesignGeometry& geometry, const Parameters& pa
   std::vector<int> named = listed_tiles(parameters.held_tiles);
   if (!named.empty()) return named;
   const TileMesh& tiles = geometry.tiles;
-  const Vec3 down = direction_of(parameters.gravity_direction);
+  const Vec3 down = gravity_down;
   const Points3 centres = tile_centres(tiles);
   const std::vector<int> piece = pieces_of_faces(tiles.topology, tiles.cut);
   std::vector<int> lowest(piece.empty() ? 0 : *std::max_element(piece.begin(), piece.end()) + 1,
@@ -192,7 +192,7 @@ Carried carry(const DesignGeometry& geometry, const Wrenches& weight,
   const int count = tiles.tile_count();
   Carried out{Wrenches::Zero(count, 6), {}, {}};
   if (parameters.gravity == "off" || count == 0) return out;
-  const Vec3 down = direction_of(parameters.gravity_direction);
+  const Vec3 down = gravity_down;
   const Points3 centres = tile_centres(tiles);
   const std::vector<int> piece = pieces_of_faces(tiles.topology, tiles.cut);
   const int pieces = *std::max_element(piece.begin(), piece.end()) + 1;

@@ -7,6 +7,9 @@
 
 namespace curveups {
 
+// Direction of gravity in the coordinates of the target.
+inline const Vec3 gravity_down = -Vec3::UnitZ();
+
 // M x 6, N and N mm about the tiles' centres: what is printed, by parameter density, with pins and
 // bumps (recessed as printed), and the membranes, each free part shared by the tiles around it and
 // hanging at their pins' tops. Zero without gravity. Throws what plan_bumps throws.

@@ -35,21 +35,6 @@ TEST(Parameters, SwitchesOfStagesHaveShortNames) {
   }
 }
 
-TEST(Parameters, GravityHasOneDirection) {
-  Parameters p;
-  EXPECT_EQ(direction_of(p.gravity_direction), Vec3(0, 0, -1));
-  set_parameter(p, "gravity_direction", std::string("0, 3 -4"));
-  EXPECT_LT((direction_of(p.gravity_direction) - Vec3(0, 0.6, -0.8)).norm(), 1e-15);
-  for (const char* wrong : {"", "0,0", "0,0,-1,0", "0,0,down", "0,0,nan", "0,0,inf"}) {
-    EXPECT_THROW(set_parameter(p, "gravity_direction", std::string(wrong)), InvalidInput) << wrong;
-  }
-  EXPECT_EQ(p.gravity_direction, "0, 3 -4");
-  p.gravity_direction = "0,0,0";
-  EXPECT_NO_THROW(check_parameters(p));
-  p.gravity = "held";
-  EXPECT_THROW(check_parameters(p), InvalidInput);
-}
-
 TEST(Parameters, ListsOfTilesAreReadAsReportsNameThem) {
   EXPECT_EQ(listed_tiles("T00012, T00001,T00012 T2493"), (std::vector<int>{0, 11, 2492}));
   EXPECT_TRUE(listed_tiles("").empty());
@@ -65,27 +50,19 @@ TEST(Parameters, TextsAreReadAsValues) {
   Parameters p;
   set_parameter(p, "H_body", std::string("2.5"));
   set_parameter(p, "flip", std::string("on"));
-  set_parameter(p, "bump_count", std::string("5"));
   set_parameter(p, "support", std::string("none"));
   EXPECT_EQ(p.H_body, 2.5);
   EXPECT_TRUE(p.flip);
-  EXPECT_EQ(p.bump_count, 5);
   EXPECT_EQ(p.support, "none");
 }
 
 TEST(Parameters, RefusalsNameTheParameterAndLeaveAllAsItWas) {
   Parameters p;
-  const std::vector<std::pair<std::string, ParameterValue>> bad = {{"H_body", -1.0},
-                                                                   {"H_body", std::string("3mm")},
-                                                                   {"H_body", std::nan("")},
-                                                                   {"H_body", true},
-                                                                   {"bump_count", 3.5},
-                                                                   {"support", std::string("glue")},
-                                                                   {"flip", std::string("2")},
-                                                                   {"L", std::string("")},
-                                                                   {"L", std::string("inf")},
-                                                                   {"tau", 1e300},
-                                                                   {"support", 1.0}};
+  const std::vector<std::pair<std::string, ParameterValue>> bad = {
+      {"H_body", -1.0},       {"H_body", std::string("3mm")},   {"H_body", std::nan("")},
+      {"H_body", true},       {"support", std::string("glue")}, {"flip", std::string("2")},
+      {"L", std::string("")}, {"L", std::string("inf")},        {"tau", 1e300},
+      {"support", 1.0}};
   for (const auto& [name, value] : bad) {
     try {
       set_parameter(p, name, value);

@@ -170,7 +170,7 @@ TEST_F(Files, APieceOnBridgesIsOneClosedShellWhereItIsFused) {
   EXPECT_LT(volume_of(facets), apart);
   // A bridge, 0.8 mm thick, reaches bridge_depth into a body at each of its ends.
   const double overlaps =
-      2 * bridge_depth * parameters.bridge_width * 0.8 * static_cast<double>(s.supports.size());
+      2 * bridge_depth * bridge_width * 0.8 * static_cast<double>(s.supports.size());
   EXPECT_GT(volume_of(facets), apart - 3 * overlaps);
   expect_solid_by_cgal(path("a.stl"), volume_of(facets));
   EXPECT_THROW(write_stl(model(), "fused", path("b.stl")), InvalidInput);

@@ -4,7 +4,6 @@ fields with expressions and the user's units. Edits reach the document when the 
 
 from __future__ import annotations
 
-from contextlib import suppress
 from types import MappingProxyType
 from typing import Any, Callable, Mapping
 
@@ -149,22 +148,19 @@ class ParameterRows:
             field = QtWidgets.QLineEdit()
             field.textEdited.connect(lambda value: self._edit(name, str(value)))
         else:
-            field = self._number(name, whole=kind == "App::PropertyInteger")
+            field = self._number(name)
         return field
 
-    def _number(self, name: str, whole: bool) -> Any:
-        field = freecad_field("Gui::IntSpinBox" if whole else "Gui::QuantitySpinBox")
+    def _number(self, name: str) -> Any:
+        field = freecad_field("Gui::QuantitySpinBox")
         which = _value_of(field)
         field.valueChanged.connect(lambda *_: self._edit_number(name, which))
-        if whole:
-            field.setRange(-2**31, 2**31 - 1)  # the design says the range, with the remedy
         value = getattr(self._object, name)
         if hasattr(value, "Unit"):
             field.setProperty("unit", value.getUserPreferred()[2])
-        with suppress(TypeError):  # FreeCAD 0.20 takes no expression in a field of whole numbers
-            binding = FreeCADGui.ExpressionBinding(field)
-            binding.bind(self._object, name)
-            self._bindings.append(binding)  # lives as long as the field
+        binding = FreeCADGui.ExpressionBinding(field)
+        binding.bind(self._object, name)
+        self._bindings.append(binding)  # lives as long as the field
         return field
 
     def _edit_number(self, name: str, which: str) -> None:
