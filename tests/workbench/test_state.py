@@ -78,7 +78,6 @@ SOLIDS = ("Tiles", "Support", "Anchors")
     ("FrictionCoefficient", 0.3, "Verify", ("Verification",)),
     ("ShearModulusBack", "0.3 MPa", "Verify", ("Verification",)),
     ("Tau", 2, "Solve", ("Layout", "Verification")),
-    ("DGapMin", "0.7 mm", "Solve", ("Layout", "Verification")),
     ("Flip", True, "Solve", ("Target", "Layout", "Verification")),
 ])
 def test_an_edit_of_each_tier(dome_document, tmp_path, name, value, command, parts):

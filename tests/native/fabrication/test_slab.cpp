@@ -123,7 +123,7 @@ TEST(Slab, AroundARingOfTilesIsOpenInside) {
   test::SampleOptions o;
   o.rows = 8;
   o.columns = 8;
-  o.keep = [](const Vec2& centre) { return centre.norm() > 16; };
+  o.keep = [](const Vec2& centre) { return centre.norm() > 18; };
   Parameters p;
   p.anchors = false;
   const PrintModel model = make_print_model(test::sample_design(p, o));
