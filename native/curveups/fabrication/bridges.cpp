@@ -201,8 +201,7 @@ Bridges make_bridges(const std::vector<BridgeObstacle>& bodies,
   };
   auto next_free = [&](const BridgeWish& wish, std::size_t from) -> std::optional<Place> {
     for (std::size_t k = from; k < wish.sight.size(); ++k) {
-      const auto span =
-          find_span(bodies[wish.a].body, bodies[wish.b].body, wish.sight[k], z0, z1, p);
+      const auto span = find_span(bodies[wish.a].body, bodies[wish.b].body, wish.sight[k], z0, z1);
       if (!span) continue;
       ConvexBody box = box_of(*span, bridge_width, z0, z1);
       if (free(box, wish.a, wish.b)) return Place{k, *span, std::move(box)};
@@ -224,7 +223,7 @@ Bridges make_bridges(const std::vector<BridgeObstacle>& bodies,
     if (!place) continue;
     ++ending[wish.a];
     ++ending[wish.b];
-    out.bodies.push_back(notched(place->span, p, z0, z1));
+    out.bodies.push_back(notched(place->span, z0, z1));
     out.joined.push_back({wish.a, wish.b});
     taken.add(std::move(place->box));
   }
