@@ -92,6 +92,11 @@ TEST(Repair, LiftsWeakContactsAboveAHigherFloor) {
   expect_constraints_kept(result.design);
   const VerificationReport fresh = verify_design(result.design, {});
   EXPECT_EQ(fresh.contact_forces.points_below_f_min, 0);
+  // The verdict on the last fresh mesh is that of verification.
+  ASSERT_TRUE(result.verification);
+  EXPECT_EQ(result.verification->elastic, fresh.elastic);
+  EXPECT_EQ(result.verification->unilateral.largest_floor, fresh.unilateral.largest_floor);
+  EXPECT_EQ(result.verification->valid, fresh.valid);
 }
 
 TEST(Repair, RestoresSpoiledPinsAndPoses) {
