@@ -95,8 +95,8 @@
       <translation>Wählen, was von einem geschlossenen CAD-Teil wegfällt: seine größte ebene Fläche (auto, largest), die Flächen in einer Ebene (z=0), alles unter einer Ebene (z&gt;0), alles darüber (z&lt;0) oder nichts (none). Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Choose what a design must bear beyond its own values: nothing (off), margin_mismatch and margin_friction where it can (aim), or these in any case (require). Takes effect with Verify.</source>
-      <translation>Was ein Entwurf über seine eigenen Werte hinaus ertragen muss: nichts (off), margin_mismatch und margin_friction, wo er es kann (aim), oder diese in jedem Fall (require). Wirkt mit „Prüfen“.</translation>
+      <source>Choose what is asked about margin_mismatch and margin_friction: nothing (off), a warning where the design does not bear them (report), or that it does (require). Takes effect with Verify.</source>
+      <translation>Was zu margin_mismatch und margin_friction gefragt wird: nichts (off), eine Warnung, wo der Entwurf sie nicht verträgt (report), oder dass er es tut (require). Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
       <source>Choose what carries the weight of the tiles: nothing (off leaves it out), the held tiles (held), or a plane below the piece (resting). Takes effect with Verify.</source>
@@ -143,8 +143,8 @@
       <translation>Dehnung, bei der die Membranen laut Hersteller reißen. Der Bericht warnt, wo sie sich weiter dehnen. Von 1 bis 5000 %. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
-      <source>Find how far membranes, friction, glue and the print's growth may change, each alone, until the shape no longer holds. Takes effect with Verify.</source>
-      <translation>Findet, wie weit Membranen, Reibung, Kleber und das Wachsen des Drucks sich ändern dürfen, jedes für sich, bis die Form nicht mehr hält. Wirkt mit „Prüfen“.</translation>
+      <source>Find how far front and back membrane may differ in pull and how far friction may change, each alone, until the shape no longer holds. Takes effect with Verify.</source>
+      <translation>Sucht, wie verschieden Vorder- und Rückmembran ziehen dürfen und wie weit sich die Reibung ändern darf, jedes für sich, bis die Form nicht mehr hält. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
       <source>Height of a friction bump above its wall. From 0.02 to 5 mm. Takes effect at once.</source>
@@ -273,10 +273,6 @@
     <message>
       <source>Width of a breakaway bridge. From 0.1 to 20 mm. Takes effect at once.</source>
       <translation>Breite einer Brücke zum Abbrechen. Von 0.1 bis 20 mm. Wirkt sofort.</translation>
-    </message>
-    <message>
-      <source>Young's modulus of the tiles' material. It says how far walls and bumps give way where tiles settle. From 10 to 1e+06 MPa. Takes effect with Verify.</source>
-      <translation>Elastizitätsmodul des Materials der Kacheln. Er sagt, wie weit Wände und Noppen nachgeben, wo Kacheln sich setzen. Von 10 bis 1e+06 MPa. Wirkt mit „Prüfen“.</translation>
     </message>
   </context>
   <context>
@@ -582,14 +578,6 @@
       <translation>Kleber</translation>
     </message>
     <message>
-      <source>Glue strength</source>
-      <translation>Klebefestigkeit</translation>
-    </message>
-    <message>
-      <source>Growth in XY</source>
-      <translation>Zuwachs in XY</translation>
-    </message>
-    <message>
       <source>Layout</source>
       <translation>Abwicklung</translation>
     </message>
@@ -638,10 +626,6 @@
       <translation>Latexfolien</translation>
     </message>
     <message>
-      <source>Shift of a half</source>
-      <translation>Hälfte versetzt</translation>
-    </message>
-    <message>
       <source>Sizes</source>
       <translation>Größen</translation>
     </message>
@@ -658,24 +642,12 @@
       <translation>Standard</translation>
     </message>
     <message>
-      <source>Stretch</source>
-      <translation>Dehnung</translation>
-    </message>
-    <message>
-      <source>Stretch along Y</source>
-      <translation>Dehnung längs Y</translation>
-    </message>
-    <message>
       <source>Suggestions</source>
       <translation>Vorschläge</translation>
     </message>
     <message>
       <source>Support</source>
       <translation>Stützkörper</translation>
-    </message>
-    <message>
-      <source>Taper in XY</source>
-      <translation>Schräge in XY</translation>
     </message>
     <message>
       <source>Target</source>
@@ -688,10 +660,6 @@
     <message>
       <source>Tiles</source>
       <translation>Kacheln</translation>
-    </message>
-    <message>
-      <source>Turn of a half</source>
-      <translation>Hälfte gedreht</translation>
     </message>
     <message>
       <source>Verification</source>
@@ -2969,10 +2937,6 @@
       <translation>Der Kleber auf Zapfen von {overloaded:8} lässt vielleicht los: Am Zapfen ({side}) von {tile} trägt er {shear:.3g MPa} Schub, mehr als glue_strength ({limit:.3g MPa})</translation>
     </message>
     <message>
-      <source>the glue on the {side} pin of {tile} carries {shear:.3g MPa} of shear</source>
-      <translation>Der Kleber auf dem Zapfen ({side}) von {tile} trägt {shear:.3g MPa} Schub</translation>
-    </message>
-    <message>
       <source>the layout breaks constraints that small steps can't restore</source>
       <translation>die Abwicklung verletzt Bedingungen, die kleine Schritte nicht wiederherstellen</translation>
     </message>
@@ -3009,12 +2973,12 @@
       <translation>die Liste der Schnitte hat eine ungerade Anzahl von Punkten</translation>
     </message>
     <message>
-      <source>the margin is not met: where the {side} membrane pulls {percent:.3g} % harder and friction is {mu:.3g}, {reason}</source>
-      <translation>Die Reserve ist nicht erfüllt: Wenn die Membran ({side}) um {percent:.3g} % stärker zieht und die Reibung {mu:.3g} ist, gilt: {reason}</translation>
+      <source>the margin is not met: where the {side} membrane pulls {percent:.3g} % harder and friction is {mu:.3g}, pushing forces leave a least normal force of {least:.3g N}, less than f_min = {f_min:.3g N}, first at {contacts:8}</source>
+      <translation>Die Reserve ist nicht erfüllt: Wenn die Membran ({side}) um {percent:.3g} % stärker zieht und die Reibung {mu:.3g} ist, lassen Druckkräfte eine kleinste Normalkraft von {least:.3g N}, weniger als f_min = {f_min:.3g N}, zuerst bei {contacts:8}</translation>
     </message>
     <message>
-      <source>the margin is not met: {reason}</source>
-      <translation>Die Reserve ist nicht erfüllt: {reason}</translation>
+      <source>the margin is not met: where the {side} membrane pulls {percent:.3g} % harder and friction is {mu:.3g}, no pushing forces balance the tiles: {pull:.3g N} of pull would be needed, first at {contacts:8}</source>
+      <translation>Die Reserve ist nicht erfüllt: Wenn die Membran ({side}) um {percent:.3g} % stärker zieht und die Reibung {mu:.3g} ist, halten keine Druckkräfte die Kacheln im Gleichgewicht: {pull:.3g N} Zug wären nötig, zuerst bei {contacts:8}</translation>
     </message>
     <message>
       <source>the margin is required, and the tiles did not settle: set run_settling and run_verification on</source>
@@ -3525,8 +3489,8 @@
       <translation>Ob drückende Kräfte mit der Reibung {mu:.3g} die Kacheln im Gleichgewicht halten, ließ sich nicht zeigen{more}</translation>
     </message>
     <message>
-      <source>whether the margin is met is not known: the tiles do not come to rest at its corners</source>
-      <translation>Ob die Reserve erfüllt ist, ist nicht bekannt: die Kacheln kommen an ihren Ecken nicht zur Ruhe</translation>
+      <source>whether the margin is met is not known: the forces at its corners could not be found</source>
+      <translation>Ob die Reserve erfüllt ist, ist nicht bekannt: Die Kräfte an ihren Ecken ließen sich nicht finden</translation>
     </message>
     <message>
       <source>whether the shape holds is not known: the tiles do not come to rest</source>

@@ -30,12 +30,11 @@ def judge(target: str, bumps: str) -> Row:
 
 def cells(row: Row) -> list[str]:
     report, block = row["report"], row["report"].get("settled", {})
-    scan, held = block.get("scan", {}), block.get("holding_friction")
+    scan = block.get("scan", {})
     return [str(row["tiles"]), WORDS[row["valid"]], WORDS[report.get("unilateral", {}).get("feasible")],
             WORDS[row["holds"]], str(len(block.get("open_contacts", ()))), f"{block.get('drift_mm', 0):.3f}",
             f"{scan.get('mean_mm', 0):.3f} / {scan.get('max_mm', 0):.3f}",
-            "-" if held is None else f"{held:.2g}", WORDS[report.get("margin", {}).get("met")],
-            f"{row['processor']:.1f}"]
+            WORDS[report.get("margin", {}).get("met")], f"{row['processor']:.1f}"]
 
 
 def main() -> None:

@@ -39,12 +39,12 @@ def test_a_sentence_names_what_its_figures_are():
 
 
 def test_a_style_writes_words_tiles_and_text():
-    found = Finding.about("glue_carries", [2], side="back", tile=(2,), shear=0.3)
-    style = Style(lambda text: {"back": "hinten"}.get(text, text).replace("carries", "<trägt>"),
+    found = Finding.about("membrane.cuts", [2], side="back", tile=(2,), depth=0.3)
+    style = Style(lambda text: {"back": "hinten"}.get(text, text).replace("would cut", "<schneidet>"),
                   lambda row: f"<{row}>", lambda text: escape(text, quote=False),
                   lambda number, how, unit: f"{1000 * number:{how}} k{unit}")
-    assert "0.3 MPa of shear" in str(found)
-    assert found.sentence(style).startswith("the glue on the hinten pin of <2> &lt;trägt&gt; 300 kMPa")
+    assert "0.3 mm into" in str(found)
+    assert found.sentence(style).startswith("the hinten membrane &lt;schneidet&gt; 300 kmm into the body of <2>")
     named = failed("unprintable", CurveUpsError("a < b", "", "do it"))
     assert named.sentence(style) == "the print can't be made: a &lt; b (do it)"
 

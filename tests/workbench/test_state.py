@@ -114,7 +114,7 @@ def test_what_concerns_settling_alone_leaves_valid_as_it_is(dome_document, tmp_p
     design.MarginMismatch, design.MarginFriction = 90, 0.01
     actions.verify(design)
     assert (design.Verdict, design.Holds) == ("not valid", "holds") and "margin" in design.Reasons[0]
-    design.Margin = "aim"
+    design.Margin = "report"
     assert design.Verdict == "out of date"
 
 

@@ -106,11 +106,13 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "actuation_stopped": "the path from flat was stopped before its end",
     "unsettled_design": "the margin is required, and the tiles did not settle: set run_settling and "
                         "run_verification on",
-    "glue_carries": "the glue on the {side} pin of {tile} carries {shear:.3g MPa} of shear",
     "margin": "the margin is not met: where the {side} membrane pulls {percent:.3g} % harder and friction is "
-              "{mu:.3g}, {reason}",
-    "margin.design": "the margin is not met: {reason}",
-    "margin.unknown": "whether the margin is met is not known: the tiles do not come to rest at its corners",
+              "{mu:.3g}, pushing forces leave a least normal force of {least:.3g N}, less than f_min = "
+              "{f_min:.3g N}, first at {contacts:8}",
+    "margin.no_balance": "the margin is not met: where the {side} membrane pulls {percent:.3g} % harder and "
+                         "friction is {mu:.3g}, no pushing forces balance the tiles: {pull:.3g N} of pull "
+                         "would be needed, first at {contacts:8}",
+    "margin.unknown": "whether the margin is met is not known: the forces at its corners could not be found",
     "verification_failed": "the design could not be verified: {error}",
     # Why there is no verdict.
     "unverified": "the design was not verified",

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Lets the tiles of the finished design settle under their membranes, with friction: whether the shape holds,
-how far materials and print may be off until it does not, and the shape that the piece has then."""
+how far membranes and friction may be off until it does not, and the shape that the piece has then."""
 
 from __future__ import annotations
 
@@ -18,20 +18,19 @@ from .stage import Inputs, Job, Picture, Result, Row, Stage
 
 @dataclass(frozen=True)
 class Range(Value):
-    """The values of a parameter, all others as they are, at which a verdict stays; None at an end where
+    """The values of a parameter, all others as they are, at which the shape holds; None at an end where
     nothing fails in what was searched. `failures`: what fails first beyond either end."""
 
     parameter: str
     unit: str
-    verdict: str
     searched: tuple[float, float]
     ends: tuple[Optional[float], Optional[float]]
     failures: tuple[Optional[Finding], Optional[Finding]]
 
     def report(self) -> dict[str, Any]:
         (low, high), (fails_low, fails_high) = self.ends, self.failures
-        return {"parameter": self.parameter, "unit": self.unit, "verdict": self.verdict,
-                "searched": list(self.searched), "low": low, "high": high,
+        return {"parameter": self.parameter, "unit": self.unit, "searched": list(self.searched),
+                "low": low, "high": high,
                 "fails_low": fails_low and fails_low.entry(), "fails_high": fails_high and fails_high.entry()}
 
 
@@ -61,9 +60,8 @@ class Settled(Result):
         return self.beyond if self._required else ()
 
     def warnings(self) -> Sequence[Finding]:
-        if self._required and self.beyond:
-            return ()  # these are reasons
-        return (self.failure,) if self.failure else self.beyond
+        failure = (self.failure,) if self.failure else ()
+        return failure if self._required else (*failure, *self.beyond)
 
     @property
     def _required(self) -> bool:
@@ -93,22 +91,17 @@ def _run(inputs: Inputs, job: Job) -> Settled:
     except CurveUpsError as error:  # however strict the run is: the verdict is known without
         return _failed(error, inputs)
     margin, failure = found.margin, _finding(found.failure)
-    beyond = [Finding.about("margin", one.tiles, side=side, percent=margin.mismatch,
-                            mu=margin.friction_coefficient, reason=Finding.of(one))
-              for side, one in (("front", margin.front_failure), ("back", margin.back_failure))
-              if one and margin.met is False and one.kind != "settled_restless"]
-    if margin.met is False and failure:
-        beyond = [Finding.about("margin.design", failure.tiles, reason=failure)]
+    beyond = [Finding.of(one) for one in margin.failures if one and one.kind != "margin.unknown"]
     block = {"mode": margin.mode, "mismatch_percent": margin.mismatch,
              "friction_coefficient": margin.friction_coefficient, "met": margin.met}
     return Settled(found.holds, found.block, failure, block, tuple(beyond), tuple(map(_range, found.window)),
-                   _open(inputs, failure or Finding("margin.unknown")) if margin.met is None else None,
+                   _open(inputs, Finding("margin.unknown")) if margin.met is None else None,
                    found.iterations, design, np.asarray(found.deviation), np.asarray(found.contact_force))
 
 
 def _range(found: Any) -> Range:
     low, high = found.low, found.high
-    return Range(found.parameter, found.unit, found.verdict, found.searched,
+    return Range(found.parameter, found.unit, tuple(found.searched),
                  (low.value if low.failure else None, high.value if high.failure else None),
                  (_finding(low.failure), _finding(high.failure)))
 

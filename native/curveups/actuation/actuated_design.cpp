@@ -13,7 +13,7 @@ ActuatedDesign actuate_design(const Design& given, const PathOptions& options,
   const ProgressScope scope(progress);
   const TileBodies bodies = make_tile_bodies(design);
   const SolvedDesign solved = solve_design(bodies.geometry, design, progress);
-  TileWorld world = make_tile_world(bodies, solved, design.parameters.tile_modulus);
+  TileWorld world = make_tile_world(bodies, solved);
   // Corrections to the finite elements hold for the actuated design, not on the way there.
   for (PairLoads* corrections : world.corrections) corrections->loads.clear();
   ActuatedDesign out;

@@ -34,7 +34,7 @@ Pace pace_of(const Parameters& parameters) {
   pace.step_limit = parameters.L / 7.5;
   // What a step may meet: could_pass holds what comes from further.
   pace.search.reach = std::max(1.5 * pace.step_limit, 0.5 * parameters.H_body);
-  pace.search.pair_stiffness = contact_width * parameters.tile_modulus;
+  pace.search.pair_stiffness = contact_width * tile_modulus;
   pace.search.face_margin = 0.01;
   return pace;
 }
@@ -172,7 +172,7 @@ bool Path::step() {
   if (former_->force > 0) fit_former();
   const Poses before = world_.poses();
   const double load_before = former_->value(world_.poses());
-  const StepReport report = world_.advance();
+  const StepReport report = world_.step();
   state_.iterations += report.iterations;
   state_.factorizations += report.factorizations;
   state_.at_rest = report.at_rest;

@@ -20,7 +20,7 @@ py::dict block(const SettledDesign& settled) {
   out["largest_slip_mm"] = settled.largest_slip;
   out["drift_mm"] = settled.drift;
   out["holding_friction"] =
-      settled.holding_friction ? py::cast(settled.holding_friction->value) : py::none();
+      settled.holding_friction ? py::cast(*settled.holding_friction) : py::none();
   out["scan"] = scan_block(settled.scan);
   return out;
 }
@@ -28,32 +28,24 @@ py::dict block(const SettledDesign& settled) {
 }  // namespace
 
 void bind_settled(py::module_& module) {
-  py::class_<WindowEnd>(module, "WindowEnd", "The last sample at which a verdict stays.")
+  py::class_<WindowEnd>(module, "WindowEnd", "The last sample that holds.")
       .def_readonly("value", &WindowEnd::value)
       .def_readonly("failure", &WindowEnd::failure,
                     "What fails at the next sample; None where nothing does.");
-  py::class_<WindowRange>(module, "WindowRange",
-                          "The range of a parameter in which a verdict stays.")
+  py::class_<WindowRange>(module, "WindowRange", "The range of a parameter in which it holds.")
       .def_readonly("parameter", &WindowRange::parameter)
       .def_readonly("unit", &WindowRange::unit)
-      .def_readonly("verdict", &WindowRange::verdict)
-      .def_property_readonly("searched",
-                             [](const WindowRange& range) {
-                               return std::make_pair(range.searched[0], range.searched[1]);
-                             })
+      .def_readonly("searched", &WindowRange::searched)
       .def_property_readonly("low", [](const WindowRange& range) { return range.end[0]; })
       .def_property_readonly("high", [](const WindowRange& range) { return range.end[1]; });
-  py::class_<Margin>(module, "Margin", "Whether a design holds at the corners of its margin.")
+  py::class_<Margin>(module, "Margin",
+                     "Whether pushing forces within friction exist at the corners of the margin.")
       .def_readonly("mode", &Margin::mode)
       .def_readonly("mismatch", &Margin::mismatch, "Of the membranes' pull, %.")
       .def_readonly("friction_coefficient", &Margin::friction_coefficient)
       .def_readonly("met", &Margin::met)
-      .def_property_readonly(
-          "front_failure", [](const Margin& margin) { return margin.failure[0]; },
-          "What fails where the front pulls harder.")
-      .def_property_readonly(
-          "back_failure", [](const Margin& margin) { return margin.failure[1]; },
-          "What fails where the back pulls harder.");
+      .def_readonly("failures", &Margin::failure,
+                    "What fails where the front pulls harder, and the back.");
   py::class_<SettledDesign>(module, "SettledDesign",
                             "What develops where a design's tiles are let go when actuated.")
       .def_readonly("holds", &SettledDesign::holds, "None where that is not known.")

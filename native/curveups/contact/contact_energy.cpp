@@ -10,26 +10,14 @@
 namespace curveups {
 namespace {
 
-// mm: points that are no farther than this from a face touch it where all that touches sticks.
-constexpr double bond_gap = 0.02;
+// mm: points that are no farther than this from a face touch it.
+constexpr double touching_gap = 0.02;
+// mm: points that are no farther than this are as stiff as those that push, so that Newton's first
+// step from where bodies just touch sees that they do.
+constexpr double grazing_gap = 1e-6;
 
 Vec3 seen(const Poses& poses, const TouchingPair& pair, const Touch& touch) {
   return seen_from(poses[pair.body[1 - touch.of]], poses[pair.body[touch.of]], touch.point);
-}
-
-// Adds first derivatives of direction . y, y the point as the other body sees it.
-void add_along(const Poses& poses, const TouchingPair& pair, const Touch& touch,
-               const Vec3& direction, double lever, MotionDerivatives<2>& out) {
-  add_seen_point(poses, pair.body, touch.of, 1 - touch.of, touch.point, direction,
-                 Eigen::Matrix3d::Zero(), lever, false, 0, out);
-}
-
-// visit(touch) of all points of pairs.
-template <class Pairs, class Visit>
-void each(Pairs& pairs, const Visit& visit) {
-  for (auto& pair : pairs) {
-    for (auto& touch : pair.touches) visit(touch);
-  }
 }
 
 // visit(touch, y), with the point as the other body sees it.
@@ -40,9 +28,17 @@ void each_seen(Pairs& pairs, const Poses& poses, const Visit& visit) {
   }
 }
 
-// The tangential spring's force along its stretch, at most `cap`.
-double hold(const Touch& touch, double stretch, double cap) {
-  return std::min(touch.tangent_stiffness * stretch, cap);
+// Of a tangential spring that is stretched by so much: its energy and its force.
+double friction_potential(const Touch& touch, double stretch) {
+  const double k = touch.tangent_stiffness, c = touch.cap;
+  return k * stretch <= c ? 0.5 * k * stretch * stretch : c * (stretch - 0.5 * c / k);
+}
+double friction_force(const Touch& touch, double stretch) {
+  return std::min(touch.tangent_stiffness * stretch, touch.cap);
+}
+// Stretch that the spring keeps once it has slipped.
+double kept_stretch(const Touch& touch, double stretch) {
+  return friction_force(touch, stretch) / touch.tangent_stiffness;
 }
 
 }  // namespace
@@ -67,194 +63,87 @@ int ContactEnergy::coupling(const std::array<int, 2>& pair) const {
   return static_cast<int>(std::lower_bound(coupled.begin(), coupled.end(), pair) - coupled.begin());
 }
 
-std::unique_ptr<MotionEnergy> ContactEnergy::part(const BodyPart& bodies) const {
-  auto out = std::make_unique<ContactEnergy>();
-  out->friction_coefficient = friction_coefficient;
-  for (const TouchingPair& pair : pairs) {
-    std::array<int, 2> body = pair.body;
-    if (!bodies.take(body)) continue;
-    out->pairs.push_back(pair);
-    out->pairs.back().body = body;
-    out->pairs.back().coupling = static_cast<int>(out->coupled.size());
-    out->coupled.push_back(body);
-  }
-  return out;
-}
-
-void ContactEnergy::take_caps(const ContactEnergy& other, const BodyPart& bodies) {
-  auto from = other.pairs.begin();
-  for (TouchingPair& pair : pairs) {
-    std::array<int, 2> body = pair.body;
-    if (!bodies.take(body)) continue;
-    for (std::size_t k = 0; k < pair.touches.size(); ++k) {
-      pair.touches[k].cap = from->touches[k].cap;
-    }
-    ++from;
-  }
-}
-
 void ContactEnergy::couple(std::vector<Coupling>& couplings) const {
   for (const std::array<int, 2>& pair : coupled) couplings.push_back({pair[0], pair[1]});
 }
 
+// lever <= 0: the value alone.
 void ContactEnergy::add_pair(const TouchingPair& pair, const Poses& poses, double lever,
-                             bool second, MotionDerivatives<2>& out) const {
+                             const MotionHessian* hessian, MotionDerivatives<2>& out) const {
   for (const Touch& touch : pair.touches) {
     const Vec3 y = seen(poses, pair, touch);
-    const bool holds = glued && std::isinf(touch.cap);
-    const double push = holds ? -touch.stiffness * touch.gap(y) : touch.push(y);
+    const double push = touch.push(y), k = touch.tangent_stiffness;
+    if (touch.gap(y) > grazing_gap && touch.cap == 0) continue;
     const Vec2 u = touch.reach(y);
-    const double length = u.norm(), k = touch.tangent_stiffness;
-    const bool slips = k * length > touch.cap;
-    if (push == 0 && touch.cap == 0) continue;
-    out.value += 0.5 * push * push / touch.stiffness +
-                 (slips ? touch.cap * (length - 0.5 * touch.cap / k) : 0.5 * k * length * length);
-    if (lever <= 0) continue;  // the value is all that is asked for
-    const Vec2 along = slips ? Vec2(u / length) : Vec2::Zero();
-    const Vec2 tangential = slips ? Vec2(touch.cap * along) : Vec2(k * u);
-    const Vec3 by_y = -push * touch.normal + touch.tangents * tangential;
+    const double stretch = u.norm();
+    out.value += 0.5 * push * push / touch.stiffness + friction_potential(touch, stretch);
+    if (lever <= 0) continue;
+    const double force = friction_force(touch, stretch);
+    const bool slips = k * stretch > touch.cap;
+    const Vec2 along = slips ? Vec2(u / stretch) : Vec2::Zero();
+    const Vec3 by_y =
+        -push * touch.normal + touch.tangents * (slips ? Vec2(force * along) : Vec2(k * u));
     Eigen::Matrix3d by_y_twice = Eigen::Matrix3d::Zero();
-    if (second) {
-      if (push > 0 || holds) by_y_twice = touch.stiffness * touch.normal * touch.normal.transpose();
+    if (hessian) {
+      if (touch.gap(y) <= grazing_gap) by_y_twice = touch.stiffness * touch.normal * touch.normal.transpose();
       Eigen::Matrix2d plane = k * Eigen::Matrix2d::Identity();
-      if (slips) {
-        plane *= touch.cap / (k * length);
-        if (!careful) plane -= touch.cap / length * along * along.transpose();
-      }
+      if (slips) plane = force / stretch * (Eigen::Matrix2d::Identity() - along * along.transpose());
       by_y_twice += touch.tangents * plane * touch.tangents.transpose();
     }
     add_seen_point(poses, pair.body, touch.of, 1 - touch.of, touch.point, by_y, by_y_twice, lever,
-                   second, convex, out);
+                   hessian, out);
   }
 }
 
 double ContactEnergy::value(const Poses& poses) const {
   return parallel_sum(static_cast<int>(pairs.size()), [&](int k) {
     MotionDerivatives<2> out;
-    add_pair(pairs[k], poses, 0, false, out);
+    add_pair(pairs[k], poses, 0, nullptr, out);
     return out.value;
   });
 }
 
 double ContactEnergy::derivatives(const Poses& poses, double lever, Motions& gradient,
-                                  BlockMatrix<6>* hessian, int first) const {
+                                  const MotionHessian* hessian) const {
   double sum = 0;
   parallel_gather<MotionDerivatives<2>>(
       static_cast<int>(pairs.size()),
       [&](int k, MotionDerivatives<2>& out) {
         out.clear(hessian != nullptr);
-        add_pair(pairs[k], poses, lever, hessian != nullptr, out);
+        add_pair(pairs[k], poses, lever, hessian, out);
       },
       [&](int k, const MotionDerivatives<2>& out) {
         sum += out.value;
-        out.add_to(pairs[k].body, gradient, hessian, first + pairs[k].coupling);
+        out.add_to(pairs[k].body, gradient, hessian, pairs[k].coupling);
       });
   return sum;
 }
 
-Eigen::VectorXd ContactEnergy::cone_errors(const Poses& poses) const {
-  Eigen::VectorXd out = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(poses.size()));
-  if (is_bonded()) return out;
-  for (const TouchingPair& pair : pairs) {
-    double error = 0;
-    for (const Touch& touch : pair.touches) {
-      const Vec3 y = seen(poses, pair, touch);
-      const double stretch = touch.reach(y).norm();
-      error = std::max(error, std::abs(hold(touch, stretch, touch.cap) -
-                                       hold(touch, stretch, friction_coefficient * touch.push(y))));
-    }
-    for (int body : pair.body) out(body) = std::max(out(body), error);
-  }
-  return out;
-}
-
-int ContactEnergy::touch_count() const {
-  int count = 0;
-  for (const TouchingPair& pair : pairs) count += static_cast<int>(pair.touches.size());
-  return count;
-}
-
-Eigen::VectorXd ContactEnergy::caps() const {
-  Eigen::VectorXd out(touch_count());
-  int at = 0;
-  each(pairs, [&](const Touch& touch) { out(at++) = touch.cap; });
-  return out;
-}
-
-Eigen::VectorXd ContactEnergy::caps_at(const Poses& poses) const {
-  Eigen::VectorXd out(touch_count());
-  int at = 0;
-  each_seen(pairs, poses, [&](const Touch& touch, const Vec3& y) {
-    out(at++) = friction_coefficient * touch.push(y);
+void ContactEnergy::lag_friction(const Poses& poses) {
+  each_seen(pairs, poses, [&](Touch& touch, const Vec3& y) {
+    touch.cap = friction_coefficient * touch.push(y);
   });
-  return out;
 }
 
-void ContactEnergy::set_caps(const Eigen::VectorXd& caps) {
-  int at = 0;
-  each(pairs, [&](Touch& touch) { touch.cap = std::max(0.0, caps(at++)); });
-}
-
-Eigen::VectorXd ContactEnergy::caps_after(const Poses& poses, double lever,
-                                          const Motions& motions) const {
-  Eigen::VectorXd out(touch_count());
-  int at = 0;
-  MotionDerivatives<2> gap;
-  for (const TouchingPair& pair : pairs) {
-    for (const Touch& touch : pair.touches) {
-      double push = touch.push(seen(poses, pair, touch));
-      if (push > 0) {
-        gap.clear(false);
-        add_along(poses, pair, touch, touch.normal, lever, gap);
-        push -= touch.stiffness * (gap.gradient.head<6>().dot(motions.row(pair.body[0])) +
-                                   gap.gradient.tail<6>().dot(motions.row(pair.body[1])));
-      }
-      out(at++) = friction_coefficient * std::max(0.0, push);
-    }
-  }
-  return out;
-}
-
-void ContactEnergy::add_caps(const Poses& poses, double lever, const Eigen::VectorXd& caps,
-                             Motions& gradient) const {
-  int at = 0;
-  MotionDerivatives<2> friction;
-  for (const TouchingPair& pair : pairs) {
-    for (const Touch& touch : pair.touches) {
-      const double change = caps(at++) - touch.cap;
-      if (change == 0) continue;
-      const Vec2 reach = touch.reach(seen(poses, pair, touch));
-      const double stretch = reach.norm();
-      if (touch.tangent_stiffness * stretch <= touch.cap) continue;
-      friction.clear(false);
-      add_along(poses, pair, touch, touch.tangents * (change / stretch * reach), lever, friction);
-      friction.add_to(pair.body, gradient, nullptr, 0);
-    }
-  }
-}
-
-void ContactEnergy::stick() {
-  each(pairs, [](Touch& touch) { touch.cap = std::numeric_limits<double>::infinity(); });
-}
-
-void ContactEnergy::bond(const Poses& poses) {
+void ContactEnergy::stick(const Poses& poses) {
   each_seen(pairs, poses, [](Touch& touch, const Vec3& y) {
-    touch.cap = touch.gap(y) <= bond_gap ? std::numeric_limits<double>::infinity() : 0.0;
+    touch.cap = touch.gap(y) <= touching_gap ? std::numeric_limits<double>::infinity() : 0.0;
   });
 }
 
 void ContactEnergy::forget_corners() {
-  each(pairs,
-       [](Touch& touch) { touch.built.setConstant(std::numeric_limits<double>::infinity()); });
+  for (TouchingPair& pair : pairs) {
+    for (Touch& touch : pair.touches) {
+      touch.built.setConstant(std::numeric_limits<double>::infinity());
+    }
+  }
 }
 
 double ContactEnergy::friction_work(const Poses& poses) const {
-  if (is_bonded()) return 0;
   double work = 0;
   each_seen(pairs, poses, [&](const Touch& touch, const Vec3& y) {
-    const double stretch = touch.reach(y).norm(), limit = friction_coefficient * touch.push(y);
-    const double held = hold(touch, stretch, limit);
-    work += limit * (stretch - held / touch.tangent_stiffness);
+    const double stretch = touch.reach(y).norm(), slip = stretch - kept_stretch(touch, stretch);
+    if (slip > 0) work += touch.cap * slip;
   });
   return work;
 }
@@ -262,17 +151,15 @@ double ContactEnergy::friction_work(const Poses& poses) const {
 void ContactEnergy::remember(const Poses& poses) {
   each_seen(pairs, poses, [&](Touch& touch, const Vec3& y) {
     const Vec2 reach = touch.reach(y);
-    const double length = reach.norm();
-    const double limit = is_bonded() ? touch.cap : friction_coefficient * touch.push(y);
-    const double held = hold(touch, length, limit) / touch.tangent_stiffness;
-    if (held < length) {
-      // What a nearest point on a face that is touched otherwise remembered may be more than this
-      // one can hold, where nothing moved.
+    const double length = reach.norm(), kept = kept_stretch(touch, length);
+    if (kept < length) {
+      // A history inherited from another contact point may exceed this point's cap: the excess is
+      // no slip.
       if (touch.push(y) > 0) {
         const Vec2 way = touch.tangents.transpose() * y - touch.reference;
-        touch.slip += std::min(length - held, way.norm());
+        touch.slip += std::min(length - kept, way.norm());
       }
-      touch.stretch = held / length * reach;
+      touch.stretch = kept / length * reach;
     } else {
       touch.stretch = reach;
     }
@@ -282,7 +169,6 @@ void ContactEnergy::remember(const Poses& poses) {
 
 std::vector<TouchForce> ContactEnergy::forces(const Poses& poses) const {
   std::vector<TouchForce> out;
-  out.reserve(touch_count());
   for (const TouchingPair& pair : pairs) {
     for (const Touch& touch : pair.touches) {
       const RigidMotion& other = poses[pair.body[1 - touch.of]];
@@ -294,8 +180,8 @@ std::vector<TouchForce> ContactEnergy::forces(const Poses& poses) const {
       const Vec2 reach = touch.reach(y);
       const double length = reach.norm();
       if (length > 0) {
-        force.friction =
-            sign * hold(touch, length, touch.cap) / length * (other.R * (touch.tangents * reach));
+        force.friction = sign * friction_force(touch, length) / length *
+                         (other.R * (touch.tangents * reach));
       }
       force.gap = touch.gap(y);
       force.slip = touch.slip;

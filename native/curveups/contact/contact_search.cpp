@@ -93,7 +93,6 @@ class PairSearch {
       if (out.face[second] < 0) return out;
     }
     if (before && before->face == out.face && good(*before)) return *before;
-    if (before) remember_faces(*before, out);
 
     const BodySurface& reference = of(first).faces[out.face[first]];
     const BodySurface& facing = of(second).faces[out.face[second]];
@@ -123,19 +122,13 @@ class PairSearch {
   // Whether the faces that touched part the bodies nearly as well as the best do.
   bool still_part(const TouchingPair& pair, double best) const {
     if (!(options_.face_margin > 0)) return false;
-    const double margin = options_.face_margin * (1 << std::min(pair.turns, 5));
     for (int k = 0; k < 2; ++k) {
-      if (separation(of(k).faces[pair.face[k]], at(k), of(1 - k), at(1 - k)) > best - margin) {
+      if (separation(of(k).faces[pair.face[k]], at(k), of(1 - k), at(1 - k)) >
+          best - options_.face_margin) {
         return true;
       }
     }
     return false;
-  }
-
-  static void remember_faces(const TouchingPair& before, TouchingPair& out) {
-    const bool stay = out.face == before.face;
-    out.earlier = stay ? before.earlier : before.face;
-    out.turns = before.turns + (!stay && out.face == before.earlier);
   }
 
   void add(int who, const Vec3& point, const BodySurface& face, double stiffness,

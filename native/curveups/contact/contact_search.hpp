@@ -23,16 +23,16 @@ struct Touch {
   Eigen::Matrix<double, 3, 2> tangents;
   double stiffness, tangent_stiffness;  // N / mm
 
-  // What friction remembers: the stretch of the tangential spring (mm) when y's tangential
-  // coordinates were `reference`, in the state before the present step.
+  // Friction's history: the stretch of the tangential spring (mm) when y's tangential coordinates
+  // were `reference`, before the present step.
   Vec2 stretch = Vec2::Zero(), reference = Vec2::Zero();
   Vec2 built = Vec2::Zero();  // the tangential coordinates when outlines were clipped
-  double cap = 0;             // largest friction force in the present step, N
+  double cap = 0;             // largest friction force, N
   double slip = 0;            // mm in all
 
   double gap(const Vec3& y) const { return normal.dot(y) - offset; }
   double push(const Vec3& y) const { return stiffness * std::max(0.0, -gap(y)); }
-  // The tangential spring, if it did not slip.
+  // Stretch of the tangential spring, if it did not slip.
   Vec2 reach(const Vec3& y) const { return stretch + tangents.transpose() * y - reference; }
 };
 
@@ -42,9 +42,6 @@ struct TouchingPair {
   std::array<int, 2> face;
   std::vector<Touch> touches;
   int coupling = -1;  // its number among the pairs that are coupled (ContactEnergy)
-  // The faces that touched before these, and how often they took turns with these.
-  std::array<int, 2> earlier = {-1, -1};
-  int turns = 0;
 };
 
 struct SearchOptions {
@@ -54,8 +51,7 @@ struct SearchOptions {
   // N / mm, of every pair whose outlines touch; 0: as the materials are, by the area that touches.
   double pair_stiffness = 0;
   // Faces that touched stay those that touch until others part the bodies better by more than this,
-  // mm, and by twice as much whenever two took turns (at most 32 times as much): without it, bodies
-  // that touch in a corner could change faces for ever.
+  // mm: without it, bodies that touch in a corner could change faces for ever.
   double face_margin = 0;
 };
 

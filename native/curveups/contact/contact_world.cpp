@@ -2,6 +2,8 @@
 #include "curveups/contact/contact_world.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace curveups {
@@ -9,24 +11,17 @@ namespace curveups {
 ContactWorld::ContactWorld(std::vector<RigidBody> bodies, Poses start, const WorldOptions& options)
     : bodies_(std::move(bodies)), poses_(std::move(start)), options_(options) {}
 
-void ContactWorld::set_poses(const Poses& poses) {
-  poses_ = poses;
-  given_at_.clear();
+void ContactWorld::begin_path(const Pace& pace) {
+  options_.pace = pace;
+  contacts_.forget_corners();
   searched_ = false;
   weight_ = -1;
 }
 
-void ContactWorld::set_bodies(std::vector<RigidBody> bodies) {
-  changed_ = true;
-  bodies_ = std::move(bodies);
-  contacts_.forget_corners();
+void ContactWorld::set_poses(const Poses& poses) {
+  poses_ = poses;
   searched_ = false;
-}
-
-void ContactWorld::restore(State state) {
-  contacts_.pairs = std::move(state.pairs);
-  set_poses(state.poses);
-  weight_ = state.weight;
+  weight_ = -1;
 }
 
 void ContactWorld::make_pattern() {
@@ -46,8 +41,6 @@ void ContactWorld::make_pattern() {
   }
   hessian_ = std::make_unique<BlockMatrix<6>>(
       std::make_shared<const BlockPattern>(free, couplings), unknowns);
-  given_at_.clear();
-  joined_to_.clear();
 }
 
 // Bodies that the energies join, and those around a point: these depend on one another once it is
@@ -83,14 +76,10 @@ std::vector<std::array<int, 2>> ContactWorld::joined_pairs() const {
 }
 
 void ContactWorld::search() {
-  contacts_.pairs = find_touching(bodies_, poses_, options_.search, contacts_.pairs);
+  contacts_.pairs = find_touching(bodies_, poses_, options_.pace.search, contacts_.pairs);
   // The pattern and its order of elimination stay as long as no new pair touches.
   if (!joined_) joined_ = joined_pairs();
-  if (contacts_.couple_pairs(*joined_) || !hessian_) {
-    places_.resize(bodies_.size(), 3);
-    for (std::size_t i = 0; i < bodies_.size(); ++i) places_.row(i) = poses_[i].t.transpose();
-    make_pattern();
-  }
+  if (contacts_.couple_pairs(*joined_) || !hessian_) make_pattern();
   double stiffest = 0, furthest = 0;
   for (const TouchingPair& pair : contacts_.pairs) {
     double sum = 0;
@@ -102,50 +91,75 @@ void ContactWorld::search() {
   searched_ = true;
 }
 
+// Between bodies that touch or are near, and those that the energies join. A fixed body's middle
+// may be far away.
+Drag ContactWorld::make_drag() const {
+  std::vector<std::array<int, 2>> near, all;
+  for (const TouchingPair& pair : contacts_.pairs) near.push_back(pair.body);
+  std::set_union(near.begin(), near.end(), joined_->begin(), joined_->end(),
+                 std::back_inserter(all));
+  std::vector<Drag::Pair> pairs;
+  for (const auto& [a, b] : all) {
+    if (bodies_[a].fixed || bodies_[b].fixed) continue;
+    pairs.push_back({{a, b}, first_.back() + contacts_.coupling({a, b})});
+  }
+  return {pairs, poses_, options_.lever, options_.pace.lone_drag};
+}
+
 double ContactWorld::value(const Poses& poses) const {
   double sum = contacts_.value(poses);
   for (const auto& energy : energies_) sum += energy->value(poses);
   return sum;
 }
 
-Motions ContactWorld::newton_step(const Motions& gradient) const {
-  const Eigen::MatrixXd solved =
-      hessian_->solve(-Eigen::Map<const Eigen::VectorXd>(gradient.data(), gradient.size()));
-  return Eigen::Map<const Motions>(solved.data(), gradient.rows(), 6);
-}
-
-double ContactWorld::given_gradient(const Poses& poses, Motions& out,
-                                    BlockMatrix<6>* hessian) const {
-  out.setZero(poses.size(), 6);
-  double energy = 0;
+// All but the drag. Nothing moves a fixed body.
+double ContactWorld::derivatives(const Poses& poses, Motions& gradient, BlockMatrix<6>* hessian,
+                                 bool projected) const {
+  gradient.setZero(poses.size(), 6);
+  MotionHessian second{hessian, first_.back(), projected};
+  const MotionHessian* asked = hessian ? &second : nullptr;
+  double energy = contacts_.derivatives(poses, options_.lever, gradient, asked);
   for (std::size_t k = 0; k < energies_.size(); ++k) {
-    energy += energies_[k]->derivatives(poses, options_.lever, out, hessian, first_[k]);
+    second.first = first_[k];
+    energy += energies_[k]->derivatives(poses, options_.lever, gradient, asked);
+  }
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (bodies_[i].fixed) gradient.row(i).setZero();
   }
   return energy;
 }
 
-void ContactWorld::hold_fixed(Motions& gradient) const {
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    if (bodies_[i].fixed) gradient.row(i).setZero();
+double ContactWorld::force_unit() const {
+  Motions given = Motions::Zero(poses_.size(), 6);
+  for (const auto& energy : energies_) {
+    energy->derivatives(poses_, options_.lever, given, nullptr);
   }
-}
-
-double ContactWorld::force_unit(const Motions& given) const {
-  double scale = 0;
+  double sum = 0;
   int free = 0;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (bodies_[i].fixed) continue;
-    scale += given.row(i).norm();
+    sum += given.row(i).norm();
     ++free;
   }
-  scale = std::max({scale / std::max(free, 1), contacts_.mean_push(poses_), options_.least_unit});
-  return scale > 0 ? scale : 1;
+  const double unit =
+      std::max({sum / std::max(free, 1), contacts_.mean_push(poses_), options_.least_unit});
+  return unit > 0 ? unit : 1;
 }
 
 Motions ContactWorld::given_forces() const {
   Motions out = Motions::Zero(poses_.size(), 6);
-  for (const auto& energy : energies_) energy->derivatives(poses_, 1, out, nullptr, 0);
+  for (const auto& energy : energies_) energy->derivatives(poses_, 1, out, nullptr);
   return -out;
+}
+
+StepReport ContactWorld::settle(int max_steps,
+                                const std::function<bool(const StepReport&)>& enough) {
+  StepReport report;
+  for (int k = 0; k < max_steps; ++k) {
+    report = step();
+    if (report.at_rest || (enough && enough(report))) break;
+  }
+  return report;
 }
 
 }  // namespace curveups

@@ -57,7 +57,7 @@ double Drag::value(const Poses& poses, double weight) const {
 }
 
 double Drag::derivatives(const Poses& poses, double weight, Motions& gradient,
-                         BlockMatrix<6>* hessian) const {
+                         const MotionHessian* hessian) const {
   const Motions motions = motions_between(from_, poses, lever_);
   gradient += weight * lone_ * motions;
   double sum = lone_ * motions.squaredNorm();

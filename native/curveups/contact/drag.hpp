@@ -30,7 +30,7 @@ class Drag {
   // Adds to the gradient and, where it is not null, to the second derivatives: convex ones, without
   // weight * lone, which the caller adds to the whole diagonal. Returns the value.
   double derivatives(const Poses& poses, double weight, Motions& gradient,
-                     BlockMatrix<6>* hessian) const;
+                     const MotionHessian* hessian) const;
   double lone() const { return lone_; }
 
  private:

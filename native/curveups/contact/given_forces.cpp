@@ -5,15 +5,6 @@
 
 namespace curveups {
 
-std::unique_ptr<MotionEnergy> PointLoads::part(const BodyPart& bodies) const {
-  std::vector<PointLoad> own;
-  for (const PointLoad& load : loads) {
-    std::array<int, 1> body = {load.body};
-    if (bodies.take(body)) own.push_back({body[0], load.point, load.force});
-  }
-  return std::make_unique<PointLoads>(std::move(own));
-}
-
 double PointLoads::value(const Poses& poses) const {
   double sum = 0;
   for (const PointLoad& load : loads) sum -= load.force.dot(poses[load.body](load.point));
@@ -21,26 +12,20 @@ double PointLoads::value(const Poses& poses) const {
 }
 
 double PointLoads::derivatives(const Poses& poses, double lever, Motions& gradient,
-                               BlockMatrix<6>* hessian, int) const {
+                               const MotionHessian* hessian) const {
   double sum = 0;
   for (const PointLoad& load : loads) {
     const RigidMotion& pose = poses[load.body];
     const Vec3 arm = pose.R * load.point;
     MotionDerivatives<1> out;
     out.gradient << -load.force, arm.cross(-load.force) / lever;
-    out.hessian.bottomRightCorner<3, 3>() = (1 - convex) * turn_curvature(-load.force, arm, lever);
+    if (hessian && !hessian->projected) {
+      out.hessian.bottomRightCorner<3, 3>() = turn_curvature(-load.force, arm, lever);
+    }
     out.add_to({load.body}, gradient, hessian, 0);
     sum -= load.force.dot(arm + pose.t);
   }
   return sum;
-}
-
-std::unique_ptr<MotionEnergy> PairLoads::part(const BodyPart& bodies) const {
-  std::vector<PairLoad> own;
-  for (PairLoad load : loads) {
-    if (bodies.take(load.body)) own.push_back(load);
-  }
-  return std::make_unique<PairLoads>(std::move(own));
 }
 
 std::vector<int> PairLoads::pairs() const {
@@ -101,18 +86,17 @@ MotionDerivatives<2> PairLoads::of_pair(int begin, int end, const Poses& poses, 
 }
 
 double PairLoads::derivatives(const Poses& poses, double lever, Motions& gradient,
-                              BlockMatrix<6>* hessian, int first) const {
+                              const MotionHessian* hessian) const {
   const std::vector<int> pair = pairs();
   double sum = 0;
   parallel_gather<MotionDerivatives<2>>(
       static_cast<int>(pair.size()) - 1,
       [&](int k, MotionDerivatives<2>& out) {
-        out = of_pair(pair[k], pair[k + 1], poses, lever, hessian != nullptr);
-        out.hessian *= 1 - convex;
+        out = of_pair(pair[k], pair[k + 1], poses, lever, hessian && !hessian->projected);
       },
       [&](int k, const MotionDerivatives<2>& out) {
         sum += out.value;
-        out.add_to(loads[pair[k]].body, gradient, hessian, first + k);
+        out.add_to(loads[pair[k]].body, gradient, hessian, k);
       });
   return sum;
 }

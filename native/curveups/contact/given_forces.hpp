@@ -19,11 +19,10 @@ class PointLoads : public MotionEnergy {
   explicit PointLoads(std::vector<PointLoad> list) : loads(std::move(list)) {}
   std::vector<PointLoad> loads;
 
-  std::unique_ptr<MotionEnergy> part(const BodyPart& bodies) const override;
   void couple(std::vector<Coupling>&) const override {}
   double value(const Poses& poses) const override;
-  double derivatives(const Poses& poses, double lever, Motions& gradient, BlockMatrix<6>* hessian,
-                     int first) const override;
+  double derivatives(const Poses& poses, double lever, Motions& gradient,
+                     const MotionHessian* hessian) const override;
 };
 
 // A force on a point of body[1], constant as body[0] sees it, and its opposite on body[0]: whatever
@@ -39,11 +38,10 @@ class PairLoads : public MotionEnergy {
   explicit PairLoads(std::vector<PairLoad> list) : loads(std::move(list)) {}
   std::vector<PairLoad> loads;  // those of a pair of bodies one after another
 
-  std::unique_ptr<MotionEnergy> part(const BodyPart& bodies) const override;
   void couple(std::vector<Coupling>& couplings) const override;
   double value(const Poses& poses) const override;
-  double derivatives(const Poses& poses, double lever, Motions& gradient, BlockMatrix<6>* hessian,
-                     int first) const override;
+  double derivatives(const Poses& poses, double lever, Motions& gradient,
+                     const MotionHessian* hessian) const override;
 
  private:
   std::vector<int> pairs() const;  // where each begins; then the end

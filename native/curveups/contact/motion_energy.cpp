@@ -33,7 +33,7 @@ Vec3 seen_from(const RigidMotion& b, const RigidMotion& a, const Vec3& p) { retu
 
 void add_seen_point(const Poses& poses, const std::array<int, 2>& bodies, int a, int b,
                     const Vec3& p, const Vec3& by_y, const Eigen::Matrix3d& by_y_twice,
-                    double lever, bool second, double convex, MotionDerivatives<2>& out) {
+                    double lever, const MotionHessian* hessian, MotionDerivatives<2>& out) {
   const RigidMotion &of_a = poses[bodies[a]], &of_b = poses[bodies[b]];
   const Vec3 arm = of_a.R * p, r = arm + of_a.t - of_b.t, force = of_b.R * by_y;
   const int ta = 6 * a, tb = 6 * b, ra = ta + 3, rb = tb + 3;
@@ -41,7 +41,7 @@ void add_seen_point(const Poses& poses, const std::array<int, 2>& bodies, int a,
   out.gradient.segment<3>(ra) += arm.cross(force) / lever;
   out.gradient.segment<3>(tb) -= force;
   out.gradient.segment<3>(rb) -= r.cross(force) / lever;
-  if (!second) return;
+  if (!hessian) return;
 
   // y in world axes moves by J m: b's turns move it backwards.
   Eigen::Matrix<double, 3, 12> J;
@@ -53,12 +53,11 @@ void add_seen_point(const Poses& poses, const std::array<int, 2>& bodies, int a,
   const Eigen::Matrix3d H = of_b.R * by_y_twice * of_b.R.transpose();
   const Eigen::Matrix<double, 3, 12> HJ = H * J;
   out.hessian.noalias() += J.transpose() * HJ;
-  const double kept = 1 - convex;
-  if (kept == 0) return;
+  if (hessian->projected) return;
   // The force times what y moves by in second order: turns of a, of b, and b's turn of the rest.
-  out.hessian.block<3, 3>(ra, ra) += kept * turn_curvature(force, arm, lever);
-  out.hessian.block<3, 3>(rb, rb) += kept * turn_curvature(force, r, lever);
-  const Eigen::Matrix3d F = skew(force) * (kept / lever);
+  out.hessian.block<3, 3>(ra, ra) += turn_curvature(force, arm, lever);
+  out.hessian.block<3, 3>(rb, rb) += turn_curvature(force, r, lever);
+  const Eigen::Matrix3d F = skew(force) / lever;
   const Eigen::Matrix3d turned = F * by_turn_a;
   out.hessian.block<3, 3>(rb, ta) += F;
   out.hessian.block<3, 3>(ta, rb) -= F;

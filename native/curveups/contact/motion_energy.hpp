@@ -8,27 +8,29 @@
 
 #include <memory>
 
-#include "curveups/contact/body_part.hpp"
+#include "curveups/contact/rigid_body.hpp"
+#include "curveups/numerics/block_matrix.hpp"
 
 namespace curveups {
+
+// Second derivatives that an energy adds to.
+struct MotionHessian {
+  BlockMatrix<6>* matrix;
+  int first;  // number of the energy's first coupling in the matrix's pattern
+  // Positive semi-definite: without what forces contribute as they turn with bodies.
+  bool projected;
+};
 
 class MotionEnergy {
  public:
   virtual ~MotionEnergy() = default;
-  // That of the elements which have a body that moves.
-  virtual std::unique_ptr<MotionEnergy> part(const BodyPart& bodies) const = 0;
   // Appends the pairs of bodies that elements join, for the matrix of second derivatives.
   virtual void couple(std::vector<Coupling>& couplings) const = 0;
   virtual double value(const Poses& poses) const = 0;  // N mm
   // Adds to the gradient (N; of turns: N mm / lever) and, where it is not null, to the second
-  // derivatives: exact ones, or those of `convex`. first: the number of its first coupling in the
-  // matrix's pattern. Returns the value.
+  // derivatives. Returns the value.
   virtual double derivatives(const Poses& poses, double lever, Motions& gradient,
-                             BlockMatrix<6>* hessian, int first) const = 0;
-
-  // Second derivatives leave out this part, 0 to 1, of what may be indefinite in them: of how
-  // forces turn with bodies. Descent far from a minimum, where exact ones lead nowhere.
-  double convex = 0;
+                             const MotionHessian* hessian) const = 0;
 };
 
 // Derivatives of an element of K bodies by their motions, bodies one after another.
@@ -45,13 +47,15 @@ struct MotionDerivatives {
     if (second) hessian.setZero();
   }
   // Adds what belongs to these bodies (-1: none, and none after it); coupling: the number of the
-  // element's first one, for pairs (0, 1), (0, 2), (1, 2) and so on.
-  void add_to(const std::array<int, K>& body, Motions& sum, BlockMatrix<6>* matrix,
+  // element's first one among the energy's, for pairs (0, 1), (0, 2), (1, 2) and so on.
+  void add_to(const std::array<int, K>& body, Motions& sum, const MotionHessian* second,
               int coupling) const {
     for (int k = 0; k < K && body[k] >= 0; ++k) {
       sum.row(body[k]) += gradient.template segment<6>(6 * k).transpose();
     }
-    if (!matrix) return;
+    if (!second) return;
+    BlockMatrix<6>* matrix = second->matrix;
+    coupling += second->first;
     for (int k = 0; k < K; ++k) {
       if (body[k] < 0) break;
       const BlockSlot own = matrix->pattern().diagonal(body[k]);
@@ -81,11 +85,10 @@ Eigen::Matrix3d positive_turn_curvature(const Vec3& force, const Vec3& arm, doub
 Vec3 seen_from(const RigidMotion& b, const RigidMotion& a, const Vec3& p);
 
 // Adds a function of that y to the derivatives of a pair of bodies. by_y, by_y_twice: its
-// derivatives by y (second ones only where `second`, without so much of the force's part as
-// `convex` says); a, b: which of the pair they are, 0 and 1 or 1 and 0. Whatever the function, its
-// forces and torques on the two sum to zero.
+// derivatives by y (second ones only where `hessian` is not null); a, b: which of the pair they
+// are, 0 and 1 or 1 and 0. Whatever the function, its forces and torques on the two sum to zero.
 void add_seen_point(const Poses& poses, const std::array<int, 2>& bodies, int a, int b,
                     const Vec3& p, const Vec3& by_y, const Eigen::Matrix3d& by_y_twice,
-                    double lever, bool second, double convex, MotionDerivatives<2>& out);
+                    double lever, const MotionHessian* hessian, MotionDerivatives<2>& out);
 
 }  // namespace curveups

@@ -48,8 +48,8 @@ ReducedMembrane::ReducedMembrane(const MembraneDomain& domain, const Points2& fl
         for (const std::array<int, 3>& t :
              {std::array<int, 3>{d, d + 1, d + 2}, std::array<int, 3>{d, d + 2, (d + 3) % 4}}) {
           if (share[d] == 0) continue;
-          element.triangles.push_back(
-              {t, {c[t[0]], c[t[1]], c[t[2]]}, share[d] / sum, Eigen::Matrix2d::Zero(), 0});
+          add_triangle(element, t, {flat.row(c[t[0]]), flat.row(c[t[1]]), flat.row(c[t[2]])},
+                       share[d] / sum);
         }
       }
       elements_.push_back(std::move(element));
@@ -63,65 +63,22 @@ ReducedMembrane::ReducedMembrane(const MembraneDomain& domain, const Points2& fl
       if (!(twice_area({middle, flat.row(a), flat.row(b)}) > 0)) continue;
       Element element{
           {node, a / 3, b / 3}, 3, {0, 1, 2}, {Vec3::Zero(), corners.row(a), corners.row(b)}, {}};
-      element.triangles.push_back(
-          {{0, 1, 2}, {-static_cast<int>(polygons_.size()), a, b}, 1, Eigen::Matrix2d::Zero(), 0});
+      add_triangle(element, {0, 1, 2}, {middle, flat.row(a), flat.row(b)}, 1);
       elements_.push_back(std::move(element));
     }
   }
-  set_flat(flat);
 }
 
-ReducedMembrane::ReducedMembrane(const std::vector<SheetPoint>& points, const Points2& flat,
-                                 const std::vector<std::array<int, 3>>& triangles, double tau,
-                                 const MembraneMaterial& material)
-    : material_(material), tau_(tau) {
-  for (const std::array<int, 3>& t : triangles) {
-    Element element{{-1, -1, -1}, 3, {}, {}, {}};
-    for (int k = 0; k < 3; ++k) {
-      const SheetPoint& point = points[t[k]];
-      int slot = 0;
-      while (element.body[slot] >= 0 && element.body[slot] != point.body) ++slot;
-      element.body[slot] = point.body;
-      element.slot[k] = slot;
-      element.point[k] = point.own;
-    }
-    if (element.body[1] < 0) continue;  // it never changes
-    element.triangles.push_back({{0, 1, 2}, t, 1, Eigen::Matrix2d::Zero(), 0});
-    elements_.push_back(std::move(element));
-  }
-  set_flat(flat);
-}
-
-void ReducedMembrane::set_flat(const Points2& flat) {
-  auto place = [&](int pin) -> Vec2 {
-    if (pin >= 0) return flat.row(pin);
-    return middle_of(polygons_[-1 - pin], flat);
-  };
-  for (Element& element : elements_) {
-    for (Triangle& t : element.triangles) {
-      const Vec2 origin = place(t.pin[0]);
-      Eigen::Matrix2d rest;
-      rest << place(t.pin[1]) - origin, place(t.pin[2]) - origin;
-      rest /= tau_;
-      const double twice = rest.determinant();
-      t.inverse = twice > 0 ? Eigen::Matrix2d(rest.inverse()) : Eigen::Matrix2d::Identity();
-      t.weight =
-          0.25 * material_.shear_modulus * material_.thickness * std::max(0.0, twice) * t.share;
-    }
-  }
-}
-
-std::unique_ptr<MotionEnergy> ReducedMembrane::part(const BodyPart& bodies) const {
-  std::unique_ptr<ReducedMembrane> out(new ReducedMembrane(material_, tau_));
-  out->pull = pull;
-  out->stretch = stretch;
-  for (const Element& element : elements_) {
-    std::array<int, 3> body = element.body;
-    if (!bodies.take(body)) continue;
-    out->elements_.push_back(element);
-    out->elements_.back().body = body;
-  }
-  return out;
+// A triangle that is turned over in the layout pulls nothing.
+void ReducedMembrane::add_triangle(Element& element, const std::array<int, 3>& corner,
+                                   const std::array<Vec2, 3>& flat, double share) const {
+  Eigen::Matrix2d rest;
+  rest << flat[1] - flat[0], flat[2] - flat[0];
+  rest /= tau_;
+  const double twice = rest.determinant();
+  if (!(twice > 0)) return;
+  element.triangles.push_back(
+      {corner, rest.inverse(), 0.25 * material_.shear_modulus * material_.thickness * twice * share});
 }
 
 void ReducedMembrane::couple(std::vector<Coupling>& couplings) const {
@@ -132,7 +89,8 @@ void ReducedMembrane::couple(std::vector<Coupling>& couplings) const {
 }
 
 double ReducedMembrane::evaluate(const Element& element, const Poses& poses, double lever,
-                                 bool second, MotionDerivatives<3>* out) const {
+                                 const MotionHessian* hessian, MotionDerivatives<3>* out) const {
+  const bool second = hessian != nullptr;
   const int count = element.corner_count;
   std::array<Vec3, 4> arm, x, force;
   for (int c = 0; c < count; ++c) {
@@ -145,12 +103,11 @@ double ReducedMembrane::evaluate(const Element& element, const Poses& poses, dou
   Eigen::Matrix<double, 12, 12> moves;
   if (second) moves.setZero();
   double sum = 0;
-  const double factor = pull / stretch.prod();
   for (const Triangle& t : element.triangles) {
-    const double weight = factor * t.weight;
+    const double weight = t.weight;
     // F's columns are sums of the edges e1 and e2. The first corner moves both.
-    const double a = t.inverse(0, 0) * stretch.x(), b = t.inverse(0, 1) * stretch.y(),
-                 c = t.inverse(1, 0) * stretch.x(), d = t.inverse(1, 1) * stretch.y();
+    const double a = t.inverse(0, 0), b = t.inverse(0, 1), c = t.inverse(1, 0),
+                 d = t.inverse(1, 1);
     const auto& [i, j, k] = t.corner;
     const Vec3 e1 = x[j] - x[i], e2 = x[k] - x[i];
     Gradient32 F;
@@ -197,9 +154,8 @@ double ReducedMembrane::evaluate(const Element& element, const Poses& poses, dou
     out->gradient.segment<3>(at + 3) += turn[c].transpose() * force[c];
     if (!second) continue;
     out->hessian.block<3, 3>(at + 3, at + 3) +=
-        convex == 0 ? turn_curvature(force[c], arm[c], lever)
-                    : Eigen::Matrix3d((1 - convex) * turn_curvature(force[c], arm[c], lever) +
-                                      convex * positive_turn_curvature(force[c], arm[c], lever));
+        hessian->projected ? positive_turn_curvature(force[c], arm[c], lever)
+                           : turn_curvature(force[c], arm[c], lever);
   }
   if (!second) return sum;
   for (int c = 0; c < count; ++c) {
@@ -217,21 +173,21 @@ double ReducedMembrane::evaluate(const Element& element, const Poses& poses, dou
 
 double ReducedMembrane::value(const Poses& poses) const {
   return parallel_sum(static_cast<int>(elements_.size()),
-                      [&](int k) { return evaluate(elements_[k], poses, 1, false, nullptr); });
+                      [&](int k) { return evaluate(elements_[k], poses, 1, nullptr, nullptr); });
 }
 
 double ReducedMembrane::derivatives(const Poses& poses, double lever, Motions& gradient,
-                                    BlockMatrix<6>* hessian, int first) const {
+                                    const MotionHessian* hessian) const {
   double sum = 0;
   parallel_gather<MotionDerivatives<3>>(
       static_cast<int>(elements_.size()),
       [&](int k, MotionDerivatives<3>& out) {
         out.clear(hessian != nullptr);
-        evaluate(elements_[k], poses, lever, hessian != nullptr, &out);
+        evaluate(elements_[k], poses, lever, hessian, &out);
       },
       [&](int k, const MotionDerivatives<3>& out) {
         sum += out.value;
-        out.add_to(elements_[k].body, gradient, hessian, first + 3 * k);
+        out.add_to(elements_[k].body, gradient, hessian, 3 * k);
       });
   return sum;
 }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A membrane reduced to what tiles feel of it while they move: per contact the quadrilateral
 // between the facing pin edges, triangulated along both diagonals at half weight each (one alone
-// is biased), and per closed polygon round a vertex a fan about one free node. Or any triangles of
-// a sheet, such as those of the surplus around the piece. The density is that of the design's
-// membranes.
+// is biased), and per closed polygon round a vertex a fan about one free node. The density is that
+// of the design's membranes.
 #pragma once
 
 #include "curveups/contact/motion_energy.hpp"
@@ -20,29 +19,10 @@ class ReducedMembrane : public MotionEnergy {
   ReducedMembrane(const MembraneDomain& domain, const Points2& flat, const Points3& corners,
                   double tau, const MembraneMaterial& material, int first_node);
 
-  // Any triangles of a sheet that was stretched by tau and lies as `flat` has its points. A point
-  // belongs to a body, where it is `own`. Points of one body do not move against one another.
-  struct SheetPoint {
-    int body;
-    Vec3 own;
-  };
-  ReducedMembrane(const std::vector<SheetPoint>& points, const Points2& flat,
-                  const std::vector<std::array<int, 3>>& triangles, double tau,
-                  const MembraneMaterial& material);
-
-  // Factors on how hard it pulls, and on how far it is stretched along x and y of the layout before
-  // tiles are glued to it.
-  double pull = 1;
-  Vec2 stretch = Vec2::Ones();
-  // Other places of the pin corners in the layout. A triangle that they turn over pulls no more.
-  void set_flat(const Points2& flat);
-
-  // Not to be laid out anew (set_flat).
-  std::unique_ptr<MotionEnergy> part(const BodyPart& bodies) const override;
   void couple(std::vector<Coupling>& couplings) const override;
   double value(const Poses& poses) const override;
-  double derivatives(const Poses& poses, double lever, Motions& gradient, BlockMatrix<6>* hessian,
-                     int first) const override;
+  double derivatives(const Poses& poses, double lever, Motions& gradient,
+                     const MotionHessian* hessian) const override;
 
   // Polygons that have a node each, as pin corner numbers.
   const std::vector<std::vector<int>>& polygons() const { return polygons_; }
@@ -50,10 +30,8 @@ class ReducedMembrane : public MotionEnergy {
  private:
   struct Triangle {
     std::array<int, 3> corner;  // of the element's
-    std::array<int, 3> pin;     // pin corners, or -1 - p: the middle of polygon p
-    double share;
-    Eigen::Matrix2d inverse;  // of the rest edge matrix
-    double weight;            // kappa h times the rest area, times its share; N mm
+    Eigen::Matrix2d inverse;    // of the rest edge matrix
+    double weight;              // kappa h times the rest area, times its share; N mm
   };
   struct Element {
     std::array<int, 3> body;  // -1: none
@@ -62,9 +40,10 @@ class ReducedMembrane : public MotionEnergy {
     std::array<Vec3, 4> point;  // of that body
     std::vector<Triangle> triangles;
   };
-  ReducedMembrane(const MembraneMaterial& material, double tau) : material_(material), tau_(tau) {}
-  double evaluate(const Element& element, const Poses& poses, double lever, bool second,
-                  MotionDerivatives<3>* out) const;
+  void add_triangle(Element& element, const std::array<int, 3>& corner,
+                    const std::array<Vec2, 3>& flat, double share) const;
+  double evaluate(const Element& element, const Poses& poses, double lever,
+                  const MotionHessian* hessian, MotionDerivatives<3>* out) const;
 
   MembraneMaterial material_;
   double tau_;

@@ -3,26 +3,25 @@
 
 #include <algorithm>
 
+#include "curveups/contact/settling.hpp"
 #include "curveups/core/checkpoint.hpp"
-#include "curveups/core/parallel.hpp"
 
 namespace curveups {
 namespace {
 
-void describe(const Settling& settling, const TileMesh& tiles, const Design& design,
-              SettledDesign& out) {
+void describe(const Settling& settling, const Design& design, SettledDesign& out) {
   out.converged = settling.at_rest();
   out.failure = settling.failure();
   if (settling.is_known()) out.holds = !out.failure;
-  out.friction_coefficient = settling.friction();
-  out.hold_tolerance = settling.hold_tolerance();
+  out.friction_coefficient = design.parameters.friction_coefficient;
+  out.hold_tolerance = hold_tolerance(design.parameters);
   out.contact_force = settling.contact_force();
   out.open_contacts = settling.open_contacts();
   if (out.contact_force.size() > 0) {
     out.normal_mean = out.contact_force.mean();
     out.normal_min = out.contact_force.minCoeff();
   }
-  for (const TouchForce& force : settling.world().forces()) {
+  for (const TouchForce& force : settling.tile_world().world->forces()) {
     if (force.push > 0) out.largest_slip = std::max(out.largest_slip, force.slip);
   }
   out.drift = settling.drift();
@@ -30,11 +29,11 @@ void describe(const Settling& settling, const TileMesh& tiles, const Design& des
   const Eigen::VectorXd far = scan_distances(scanned, ClosestPoints(design.mesh));
   out.scan = describe_scan(far, scanned, design.mesh);
   out.corners = scanned.V;
-  const int count = tiles.tile_count();
+  const int count = settling.tile_world().tile_count;
   out.deviation = triangle_means(far);
   out.poses.resize(count, 7);
   for (int i = 0; i < count; ++i) {
-    const RigidMotion& pose = settling.world().poses()[i];
+    const RigidMotion& pose = settling.tile_world().world->poses()[i];
     const Eigen::Quaterniond turn(pose.R);
     out.poses.row(i) << pose.t.transpose() - settling.centres().row(i), turn.coeffs().transpose();
   }
@@ -47,25 +46,25 @@ void describe(const Settling& settling, const TileMesh& tiles, const Design& des
 
 SettledDesign settle_design(const Design& design, const Progress& progress) {
   const ProgressScope scope(progress);
+  const Parameters& parameters = design.parameters;
   const TileBodies bodies = make_tile_bodies(design);
   SolvedDesign solved = solve_design(bodies.geometry, design, progress);
   checkpoint("settle", 0);
-  Settling settling(design, bodies, solved);
-  settling.settle({}, design.parameters.friction_coefficient, &solved);
   SettledDesign out;
-  describe(settling, bodies.geometry.tiles, design, out);
-  // What follows starts from there, at once where there are threads.
-  parallel_tasks({[&] {
-                    if (!settling.holds()) return;
-                    out.holding_friction =
-                        holding_friction(settling, design.parameters.window ? window_halvings : 0);
-                  },
-                  [&] { out.margin = find_margin(settling, design.parameters); }});
-  if (design.parameters.window && out.holding_friction) {
-    out.window = process_window(settling, *out.holding_friction,
-                                largest_of(glue_loads(bodies.geometry.tiles, design.q,
-                                                      solved.membranes, design.parameters)));
-  }
+  out.margin = find_margin(solved, bodies.geometry, progress);
+  const WindowSample sample = [&](const std::array<double, 2>& pull, double friction) {
+    Settling settling(bodies, solved, pull);
+    settling.settle(friction);
+    return settling.failure();
+  };
+  const double mu = parameters.friction_coefficient;
+  // Before the elements of `solved` move along with the tiles.
+  if (parameters.window && !sample({1, 1}, mu)) out.window = process_window(mu, sample);
+  Settling settling(bodies, solved);
+  settling.settle(mu, &solved);
+  describe(settling, design, out);
+  if (!out.holds.value_or(false)) out.window.clear();
+  if (!out.window.empty()) out.holding_friction = out.window.back().end[0].value;
   return out;
 }
 

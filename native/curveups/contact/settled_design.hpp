@@ -5,6 +5,9 @@
 #pragma once
 
 #include "curveups/contact/process_window.hpp"
+#include "curveups/contact/virtual_scan.hpp"
+#include "curveups/core/progress.hpp"
+#include "curveups/physics/margin.hpp"
 
 namespace curveups {
 
@@ -28,11 +31,12 @@ struct SettledDesign {
   // Mean distance, mm, of the settled front surface from where it is while nothing slips: tiles and
   // bumps give way there as well, but friction holds.
   double drift = 0;
-  VirtualScan scan;                           // beside the design's actuated surface
-  std::optional<WindowEnd> holding_friction;  // none where it does not hold at its own
-  Margin margin;
-  std::vector<WindowRange> window;         // where the parameters ask for it and the design holds
-  int iterations = 0, factorizations = 0;  // of the design as it stands
+  VirtualScan scan;                 // beside the design's actuated surface
+  Margin margin;                    // by the forces that exist, not by settling
+  std::vector<WindowRange> window;  // where the parameters ask for it and the design holds
+  // The least friction down to which it holds; where the window is known.
+  std::optional<double> holding_friction;
+  int iterations = 0, factorizations = 0;
   // For pictures and for what follows.
   Eigen::VectorXd contact_force;  // normal, N, per contact
   Points3 corners;                // 3 M x 3: settled front corners, fitted to the design

@@ -19,9 +19,9 @@ namespace {
 
 constexpr double poisson_ratio = 0.35;  // of printed polymers
 
-// Of a sphere of radius R against a plane (Hertz): the secant stiffness under this force, N / mm.
-double sphere_stiffness(double modulus, double R, double force) {
-  const double both = modulus / (2 * (1 - poisson_ratio * poisson_ratio));
+// Secant stiffness of a sphere of radius R against a plane (Hertz) under this force, N / mm.
+double sphere_stiffness(double R, double force) {
+  const double both = tile_modulus / (2 * (1 - poisson_ratio * poisson_ratio));
   return std::pow(4.0 / 3 * both * std::sqrt(R), 2.0 / 3) * std::cbrt(force);
 }
 
@@ -46,7 +46,7 @@ Wrenches pull_of(const MembraneSolution& elements, const Points3& centres) {
 // Of a reduced membrane on the tiles.
 Wrenches pull_of(const ReducedMembrane& membrane, const Poses& poses, int tile_count) {
   Motions gradient = Motions::Zero(poses.size(), 6);
-  membrane.derivatives(poses, 1, gradient, nullptr, 0);
+  membrane.derivatives(poses, 1, gradient, nullptr);
   return -gradient.topRows(tile_count);
 }
 
@@ -72,75 +72,53 @@ std::vector<PairLoad> shared_out(const Wrenches& wrenches, const Poses& tiles,
   return loads;
 }
 
-TileWorld make_world(DesignedWorld designed,
-                     std::array<std::unique_ptr<ReducedMembrane>, 2>& reduced,
-                     std::vector<PointLoad> weights, const WorldOptions& options) {
-  TileWorld out;
-  out.tile_count = designed.tile_count;
-  out.world = std::make_unique<ContactWorld>(designed.bodies, designed.start, options);
-  for (int s = 0; s < 2; ++s) {
-    auto loads = std::make_unique<PairLoads>(designed.corrections[s]);
-    out.membranes[s] = reduced[s].get();
-    out.corrections[s] = loads.get();
-    out.world->add(std::move(reduced[s]));
-    out.world->add(std::move(loads));
-  }
-  auto weight = std::make_unique<PointLoads>(std::move(weights));
-  out.weight = weight.get();
-  out.world->add(std::move(weight));
-  out.designed = std::move(designed);
-  return out;
-}
-
 class Builder {
  public:
-  Builder(const TileBodies& bodies, const SolvedDesign& solved, double modulus)
+  Builder(const TileBodies& bodies, const SolvedDesign& solved, const std::array<double, 2>& pull)
       : bodies_(bodies),
         solved_(solved),
-        modulus_(modulus),
+        pull_(pull),
         tiles_(bodies.geometry.tiles),
         count_(tiles_.tile_count()),
         centres_(tile_centres(tiles_)) {
     options_.least_unit = force_scale(solved);
     options_.lever = 0.4 * bodies.parameters.L;
-    options_.step_limit = bodies.parameters.L / 7;
-    options_.first_weight = 1e-4;  // what settles starts beside its place
-    options_.max_iterations = 200;
-    options_.search.reach = std::max(0.5, 1.5 * bodies.parameters.bump_height);
-    options_.search.face_margin = 0.001;  // what rests must not change faces, and forget friction
+    Pace& pace = options_.pace;
+    pace.step_limit = bodies.parameters.L / 7;
+    pace.first_weight = 1e-4;  // what settles starts beside its place
+    pace.search.reach = std::max(0.5, 1.5 * bodies.parameters.bump_height);
+    pace.search.face_margin = 0.001;  // what rests must not change faces, and forget friction
   }
 
   TileWorld run() {
     add_tiles();
     add_nodes();
     settle_nodes();
-    DesignedWorld designed;
-    designed.tile_count = count_;
-    designed.L = bodies_.parameters.L;
-    designed.H_body = bodies_.parameters.H_body;
-    designed.is_wall = std::move(is_wall_);
-    designed.interface = interface_points(tiles_, bodies_.geometry.patches);
-    designed.normals.resize(count_, 3);
-    for (int i = 0; i < count_; ++i) {
-      designed.normals.row(i) = tiles_.normal(i).transpose();
-    }
+    TileWorld out;
+    out.tile_count = count_;
+    out.L = bodies_.parameters.L;
+    out.interface = interface_points(tiles_, bodies_.geometry.patches);
     const Poses tiles(poses_.begin(), poses_.begin() + count_);
-    BalanceSystem system = balance_of(designed.interface, tiles, designed.L);
-    std::array<std::unique_ptr<ReducedMembrane>, 2> reduced;
+    BalanceSystem system = balance_of(out.interface, tiles, out.L);
+    std::vector<std::unique_ptr<MotionEnergy>> energies;
     for (int s = 0; s < 2; ++s) {
-      designed.pin_corners[s] = own_corners(s);
-      designed.flat_corners[s] =
-          flat_pin_corners(tiles_, bodies_.poses, bodies_.q, static_cast<Side>(s));
-      reduced[s] = membrane(static_cast<Side>(s));
-      const MembraneSolution& elements = solved_.membranes[s];
-      designed.corrections[s] = shared_out(
-          pull_of(elements, centres_) - pull_of(*reduced[s], poses_, count_), tiles, system);
+      out.pins[s] = own_corners(s);
+      auto reduced = membrane(static_cast<Side>(s));
+      const Wrenches elements = pull_[s] * pull_of(solved_.membranes[s], centres_);
+      auto corrections = std::make_unique<PairLoads>(
+          shared_out(elements - pull_of(*reduced, poses_, count_), tiles, system));
+      out.membranes[s] = reduced.get();
+      out.corrections[s] = corrections.get();
+      energies.push_back(std::move(reduced));
+      energies.push_back(std::move(corrections));
     }
+    energies.push_back(std::make_unique<PointLoads>(weights()));
     add_ground();
     for (int held : held_tiles(bodies_.geometry, bodies_.parameters)) list_[held].fixed = true;
-    designed.bodies = std::move(list_);
-    designed.start = std::move(poses_);
-    return make_world(std::move(designed), reduced, weights(), options_);
+    out.start = poses_;
+    out.world = std::make_unique<ContactWorld>(std::move(list_), std::move(poses_), options_);
+    for (auto& energy : energies) out.world->add(std::move(energy));
+    return out;
   }
 
  private:
@@ -158,11 +136,10 @@ class Builder {
                                          static_cast<double>(tips);
     const Parameters& p = bodies_.parameters;
     const double R = sphere_radius(0.5 * bump_aspect * p.bump_height, p.bump_height);
-    const double tip_stiffness = sphere_stiffness(modulus_, R, force);
+    const double tip_stiffness = sphere_stiffness(R, force);
     const std::vector<std::array<int, 3>> contact_of = contacts_of_walls(tiles_);
     const std::vector<int> piece = pieces_of_faces(tiles_.topology, tiles_.cut);
     list_.resize(count_);
-    is_wall_.resize(count_);
     poses_.resize(count_);
     parallel_for(count_, [&](int i) {
       std::array<double, 3> recess = {0, 0, 0};
@@ -176,12 +153,9 @@ class Builder {
       motion.t -= centre;
       // A wall gives way as a layer of the material does, as deep as the tile's middle.
       const double depth = 2 * tiles_.area(i) / tiles_.length.row(i).sum();
-      list_[i] = make_rigid_body(moved(body, motion), Vec3::Zero(), modulus_ / depth);
+      list_[i] = make_rigid_body(moved(body, motion), Vec3::Zero(), tile_modulus / depth);
       list_[i].piece = piece[i];
       poses_[i].t = centre;
-      for (const BodyFace& face : body.faces) {
-        is_wall_[i].push_back(face.tag >= body_tag::wall && face.tag < body_tag::wall + 3);
-      }
       for (const WallCap& cap : bodies_.bumps.of_tile[i]) {
         if (!cap.bump || !at_tips[cap.contact]) continue;
         for (std::size_t f = 0; f < body.faces.size(); ++f) {
@@ -220,9 +194,11 @@ class Builder {
 
   std::unique_ptr<ReducedMembrane> membrane(Side side) const {
     const int s = static_cast<int>(side);
+    MembraneMaterial material = membrane_material(bodies_.parameters, side);
+    material.thickness *= pull_[s];
     return std::make_unique<ReducedMembrane>(
         domain_[s], flat_pin_corners(tiles_, bodies_.poses, bodies_.q, side), own_corners(s),
-        bodies_.parameters.tau, membrane_material(bodies_.parameters, side), first_node_[s]);
+        bodies_.parameters.tau, material, first_node_[s]);
   }
 
   // The nodes come to rest while the tiles stand still.
@@ -267,7 +243,7 @@ class Builder {
     for (const auto& [a, b] : {std::pair(-far, -far), {far, -far}, {far, far}, {-far, far}}) {
       top.outline.push_back(a * along + b * across);
     }
-    top.stiffness = modulus_ / p.H_body;
+    top.stiffness = tile_modulus / p.H_body;
     list_.push_back({{top}, true});
     const Vec3 middle = poses_[0].t;
     poses_.push_back({Eigen::Matrix3d::Identity(), middle + (lowest - up.dot(middle)) * up});
@@ -275,13 +251,12 @@ class Builder {
 
   const TileBodies& bodies_;
   const SolvedDesign& solved_;
-  double modulus_;
+  std::array<double, 2> pull_;
   const TileMesh& tiles_;
   int count_;
   Points3 centres_;
   WorldOptions options_;
   std::vector<RigidBody> list_;
-  std::vector<std::vector<char>> is_wall_;
   Poses poses_;
   std::array<MembraneDomain, 2> domain_;
   std::array<Points3, 2> corners_;
@@ -291,7 +266,7 @@ class Builder {
 }  // namespace
 
 Points3 TileWorld::pin_corners(Side side) const {
-  Points3 out = designed.pin_corners[static_cast<int>(side)];
+  Points3 out = pins[static_cast<int>(side)];
   for (int c = 0; c < out.rows(); ++c) {
     out.row(c) = world->poses()[c / 3](out.row(c).transpose()).transpose();
   }
@@ -306,12 +281,12 @@ double TileWorld::solve_elements(SolvedDesign& solved, double enough) {
   });
   const Poses& poses = world->poses();
   const Poses tiles(poses.begin(), poses.begin() + tile_count);
-  std::vector<ContactPoint> now = designed.interface;
+  std::vector<ContactPoint> now = interface;
   for (ContactPoint& point : now) {
-    const Vec3 own = point.position - designed.start[point.tile[1]].t;
+    const Vec3 own = point.position - start[point.tile[1]].t;
     point.position = tiles[point.tile[1]](own);
   }
-  BalanceSystem system = balance_of(std::move(now), tiles, designed.L);
+  BalanceSystem system = balance_of(std::move(now), tiles, L);
   double mean = 0, off = 0;
   std::array<Wrenches, 2> missing;
   for (int s = 0; s < 2; ++s) {
@@ -323,36 +298,24 @@ double TileWorld::solve_elements(SolvedDesign& solved, double enough) {
     const Wrenches pull = pull_of(solved.membranes[s], system.centres());
     missing[s] = pull - pull_of(*membranes[s], poses, tile_count);
     Motions felt = Motions::Zero(poses.size(), 6);
-    corrections[s]->derivatives(poses, 1, felt, nullptr, 0);
+    corrections[s]->derivatives(poses, 1, felt, nullptr);
     Wrenches change = missing[s] + felt.topRows(tile_count);
-    change.rightCols<3>() /= designed.L;
+    change.rightCols<3>() /= L;
     off = std::max(off, change.rowwise().norm().maxCoeff());
     mean += pull.leftCols<3>().rowwise().norm().mean();
   }
   if (!(mean > 0)) return 0;
   if (off > enough * mean) {
     for (int s = 0; s < 2; ++s) {
-      corrections[s]->loads = designed.corrections[s] = shared_out(missing[s], tiles, system);
+      corrections[s]->loads = shared_out(missing[s], tiles, system);
     }
-    world->energies_changed();
   }
   return off / mean;
 }
 
-TileWorld TileWorld::copy() const {
-  std::array<std::unique_ptr<ReducedMembrane>, 2> reduced;
-  for (int s = 0; s < 2; ++s) {
-    reduced[s] = std::make_unique<ReducedMembrane>(*membranes[s]);
-    reduced[s]->pull = 1;
-    reduced[s]->stretch.setOnes();
-    reduced[s]->set_flat(designed.flat_corners[s]);
-  }
-  return make_world(designed, reduced, weight->loads, world->options());
-}
-
 TileWorld make_tile_world(const TileBodies& bodies, const SolvedDesign& solved,
-                          double tile_modulus) {
-  return Builder(bodies, solved, tile_modulus).run();
+                          const std::array<double, 2>& pull) {
+  return Builder(bodies, solved, pull).run();
 }
 
 }  // namespace curveups

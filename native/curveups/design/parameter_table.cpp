@@ -132,18 +132,14 @@ std::vector<ParameterInfo> make_table() {
     {"friction_coefficient", "", "Physics",
      "Coefficient of Coulomb friction between tiles, also at bumps.",
      basic | keeps_layout, physics, &P::friction_coefficient, 0.01, 10},
-    {"tile_modulus", "MPa", "Physics",
-     "Young's modulus of the tiles' material. It says how far walls and bumps give way where "
-     "tiles settle.",
-     keeps_layout, reader::settle, &P::tile_modulus, 10, 1e6},
     {"hold_tolerance", "mm", "Physics",
      "The shape holds where friction lets it drift by this at most, in the mean. 0 stands for "
      "1 % of L.",
      keeps_layout, reader::settle, &P::hold_tolerance, 0, 100},
     {"margin", "", "Physics",
-     "Choose what a design must bear beyond its own values: nothing (off), margin_mismatch and "
-     "margin_friction where it can (aim), or these in any case (require).",
-     keeps_layout, reader::settle, &P::margin, 0, 0, {"off", "aim", "require"}},
+     "Choose what is asked about margin_mismatch and margin_friction: nothing (off), a warning "
+     "where the design does not bear them (report), or that it does (require).",
+     keeps_layout, reader::settle, &P::margin, 0, 0, {"off", "report", "require"}},
     {"margin_mismatch", "%", "Physics",
      "How much harder than the other either membrane may pull within the margin.",
      keeps_layout, reader::settle, &P::margin_mismatch, 0, 90},
@@ -151,8 +147,8 @@ std::vector<ParameterInfo> make_table() {
      "Least coefficient of friction within the margin.",
      keeps_layout, reader::settle, &P::margin_friction, 0.01, 10},
     {"window", "", "Physics",
-     "Find how far membranes, friction, glue and the print's growth may change, each alone, until "
-     "the shape no longer holds.",
+     "Find how far front and back membrane may differ in pull and how far friction may change, each "
+     "alone, until the shape no longer holds.",
      keeps_layout, reader::settle, &P::window},
     {"f_min_ratio", "", "Physics",
      "Least normal force at each contact point, as a fraction of the mean normal force.",

@@ -58,7 +58,6 @@ struct Parameters {
   double glue_strength = 0.7;
   std::string membrane_model = "tension-field";
   double friction_coefficient = 0.5;
-  double tile_modulus = 2000.0;
   double hold_tolerance = 0.0;
   double margin_mismatch = 10.0;
   double margin_friction = 0.3;
@@ -70,7 +69,7 @@ struct Parameters {
   bool run_verification = true;
   bool run_repair = true;
   bool run_settling = true;
-  std::string margin = "aim";
+  std::string margin = "report";
   bool window = false;
   // No row of the table: largest triangles of the coarser membrane mesh as a fraction of L (tests
   // take coarser ones). Those of the finer mesh have half of it.

@@ -57,13 +57,14 @@ TEST(Drag, HasExactDerivativesAwayFromWhereItBegan) {
   const Poses from = some_poses();
   const std::vector<Coupling> couplings{{0, 1}, {1, 2}, {1, 3}};
   BlockMatrix<6> hessian(std::make_shared<const BlockPattern>(std::vector<char>(4, 1), couplings));
+  const MotionHessian second{&hessian, 0, false};
   const Drag drag = some_drag(from, 0.03);
   for (double far : {0.0, 0.3}) {  // rad, and as one by far more
     const Poses at = moved(turned(from, 3 * far), far * lever * Motions::Random(4, 6), lever);
     const Motions d = Motions::Random(4, 6);
     Motions gradient = Motions::Zero(4, 6);
     hessian.set_zero();
-    EXPECT_NEAR(drag.derivatives(at, 5, gradient, &hessian), drag.value(at, 5), 1e-10);
+    EXPECT_NEAR(drag.derivatives(at, 5, gradient, &second), drag.value(at, 5), 1e-10);
     auto along = [&](double h) { return drag.value(moved(at, h * d, lever), 5); };
     const double h = 1e-5;
     EXPECT_NEAR(gradient.cwiseProduct(d).sum(), (along(h) - along(-h)) / (2 * h),
@@ -122,13 +123,13 @@ TEST(Drag, BodiesOnAPathGoFurtherTogetherThanOneBesideTheOther) {
     auto world = scene.world(0.5);
     world->begin_path(pace);
     // Later, they are beside one another no more.
-    double furthest = world->advance().motion;
+    double furthest = world->step().motion;
     if (!together) {
       EXPECT_GT(furthest, 0.2 * pace.step_limit);
       EXPECT_LT(furthest, pace.step_limit);
       continue;
     }
-    for (int k = 0; k < 12; ++k) furthest = std::max(furthest, world->advance().motion);
+    for (int k = 0; k < 12; ++k) furthest = std::max(furthest, world->step().motion);
     EXPECT_GT(furthest, pace.together * pace.step_limit);
     EXPECT_LE(furthest, 2 * pace.together * pace.step_limit * (1 + 1e-9));
   }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "curveups/contact/settled_design.hpp"
+#include "curveups/contact/settling.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 #include "support/designs.hpp"
@@ -29,7 +32,7 @@ Design dome(const std::string& bumps = "bumps") {
 
 TEST(TileWorld, StartsWithTheWrenchesOfTheElements) {
   const Sample sample(dome());
-  const TileWorld built = make_tile_world(sample.bodies, sample.solved, 2000);
+  const TileWorld built = make_tile_world(sample.bodies, sample.solved);
   const Motions forces = built.world->given_forces();
   const double mean = sample.solved.elastic.leftCols<3>().rowwise().norm().mean();
   ASSERT_GT(mean, 0.1);
@@ -42,7 +45,7 @@ TEST(TileWorld, StartsWithTheWrenchesOfTheElements) {
 
 TEST(TileWorld, MembranesAndTheirCorrectionsExertNoForceOnTheWhole) {
   const Sample sample(dome());
-  TileWorld built = make_tile_world(sample.bodies, sample.solved, 2000);
+  TileWorld built = make_tile_world(sample.bodies, sample.solved);
   Poses poses = built.world->poses();
   Motions motions = 0.05 * Motions::Random(poses.size(), 6);
   built.world->set_poses(moved(poses, motions, 3));
@@ -62,7 +65,7 @@ TEST(TileWorld, MembranesAndTheirCorrectionsExertNoForceOnTheWhole) {
 TEST(SettledDesign, ContactsCarryWhatMembranesPull) {
   for (const char* bumps : {"bumps", "dimples"}) {
     const Sample sample(dome(bumps));
-    TileWorld built = make_tile_world(sample.bodies, sample.solved, 2000);
+    TileWorld built = make_tile_world(sample.bodies, sample.solved);
     built.world->set_friction(0.8);
     ASSERT_TRUE(built.world->settle(100).at_rest) << bumps;
     Motions left = built.world->given_forces();
@@ -159,145 +162,6 @@ TEST(VirtualScan, FindsWhatLiesBetweenItsSamples) {
   EXPECT_NEAR(scan.hausdorff, 5, 0.006);  // the roof's top, above the triangle
 }
 
-TEST(TileWorld, PullsAsHardAsItsConditionsSay) {
-  const Sample sample(dome());
-  TileWorld built = make_tile_world(sample.bodies, sample.solved, 2000);
-  const Motions both = built.world->given_forces();
-  Conditions conditions;
-  conditions.pull = {2, 1};
-  built.set(conditions);
-  const Motions front = built.world->given_forces() - both;
-  conditions.pull = {1, 3};
-  built.set(conditions);
-  const Motions back = 0.5 * (built.world->given_forces() - both);
-  const double mean = both.leftCols<3>().rowwise().norm().mean();
-  EXPECT_LT((front + back - both).topRows(built.tile_count).rowwise().norm().maxCoeff(),
-            1e-6 * mean);
-  ASSERT_GT(front.norm(), mean);
-  // A membrane that is stretched further pulls harder; as it was, it pulls as it did.
-  conditions = {};
-  conditions.stretch = Vec2(1, 1.1);
-  built.set(conditions);
-  EXPECT_GT(built.world->given_forces().leftCols<3>().norm(), 1.01 * both.leftCols<3>().norm());
-  conditions.stretch.setConstant(1.1);
-  built.set(conditions);
-  EXPECT_GT(built.world->given_forces().leftCols<3>().norm(), 1.01 * both.leftCols<3>().norm());
-  built.set({});
-  EXPECT_EQ(built.world->given_forces(), both);
-}
-
-TEST(TileWorld, WallsThatHaveGrownPush) {
-  const Sample sample(dome());
-  TileWorld built = make_tile_world(sample.bodies, sample.solved, 2000);
-  built.world->set_friction(0.5);
-  built.world->settle(100);
-  const auto size = [&] {
-    Vec3 low = Vec3::Constant(1e9), high = -low;
-    for (int i = 0; i < built.tile_count; ++i) {
-      low = low.cwiseMin(built.world->poses()[i].t);
-      high = high.cwiseMax(built.world->poses()[i].t);
-    }
-    return (high - low).head<2>().norm();
-  };
-  const double before = size();
-  Conditions conditions;
-  conditions.growth = 0.05;
-  built.set(conditions);
-  ASSERT_TRUE(built.world->settle(100).at_rest);
-  EXPECT_GT(size(), before + 0.2);
-  built.set({});
-  ASSERT_TRUE(built.world->settle(100).at_rest);
-  EXPECT_NEAR(size(), before, 0.1);
-}
-
-TEST(TileWorld, WallsGrowMoreAtTheFront) {
-  const Sample sample(dome());
-  TileWorld built = make_tile_world(sample.bodies, sample.solved, 2000);
-  Conditions conditions;
-  conditions.growth = 0.1;
-  conditions.taper = 0.06;
-  built.set(conditions);
-  int walls = 0;
-  for (int i = 0; i < built.tile_count; ++i) {
-    const Vec3 front = built.designed.normals.row(i);
-    for (std::size_t f = 0; f < built.designed.bodies[i].faces.size(); ++f) {
-      if (!built.designed.is_wall[i][f]) continue;
-      ++walls;
-      const BodySurface &before = built.designed.bodies[i].faces[f],
-                        &after = built.world->bodies()[i].faces[f];
-      EXPECT_NEAR(after.normal.norm(), 1, 1e-12);
-      for (std::size_t k = 0; k < before.outline.size(); ++k) {
-        EXPECT_NEAR(after.normal.dot(after.outline[k]), after.offset, 1e-9);
-        const double depth = -front.dot(before.outline[k]);  // 0 at the front, H_body at the back
-        EXPECT_NEAR(before.normal.dot(after.outline[k] - before.outline[k]),
-                    0.13 - 0.06 * depth / sample.design.parameters.H_body, 2e-3);
-      }
-      for (std::size_t k = 0; k < before.tips.size(); ++k) {
-        EXPECT_NEAR(before.normal.dot(after.tips[k] - before.tips[k]), 0.1, 0.04);
-      }
-    }
-  }
-  EXPECT_GT(walls, built.tile_count);
-  built.set({});
-  EXPECT_EQ(built.world->bodies()[0].faces[0].offset, built.designed.bodies[0].faces[0].offset);
-}
-
-TEST(TileWorld, AHalfThatHasMovedPullsAtTheSeam) {
-  const Sample sample(dome());
-  TileWorld built = make_tile_world(sample.bodies, sample.solved, 2000);
-  const Motions before = built.world->given_forces();
-  const double mean = before.leftCols<3>().rowwise().norm().mean();
-  for (const bool turned : {false, true}) {
-    Conditions conditions;
-    (turned ? conditions.half_turn : conditions.half_shift) = 0.2;
-    built.set(conditions);
-    const Motions change = (built.world->given_forces() - before).topRows(built.tile_count);
-    int at_seam = 0;
-    for (int i = 0; i < built.tile_count; ++i) at_seam += change.row(i).norm() > 1e-6 * mean;
-    EXPECT_GT(at_seam, 0) << turned;
-    EXPECT_LT(at_seam, built.tile_count) << turned;
-    built.set({});
-    EXPECT_EQ(built.world->given_forces(), before) << turned;
-  }
-  // Glued further apart, the sheet has more between the halves, and pulls less across the seam.
-  const Points2& layout = built.designed.flat_corners[0];
-  const Vec2 low = layout.colwise().minCoeff(), high = layout.colwise().maxCoeff();
-  const int axis = high.x() - low.x() >= high.y() - low.y() ? 0 : 1;
-  auto pull = [&](double shift) {
-    Conditions conditions;
-    conditions.half_shift = shift;
-    built.set(conditions);
-    const Motions forces = built.world->given_forces();
-    Vec3 sum = Vec3::Zero();
-    for (int i = 0; i < built.tile_count; ++i) {
-      if (layout.middleRows<3>(3 * i).col(axis).mean() > 0.5 * (low + high)(axis)) {
-        sum += forces.row(i).head<3>().transpose();
-      }
-    }
-    return sum.norm();
-  };
-  EXPECT_LT(pull(0.2), pull(0));
-  EXPECT_LT(pull(0), pull(-0.2));
-}
-
-TEST(TileWorld, ACopyFeelsTheSameAndMovesByItself) {
-  const Sample sample(dome());
-  TileWorld built = make_tile_world(sample.bodies, sample.solved, 2000);
-  Conditions conditions;
-  conditions.half_shift = 0.1;
-  conditions.pull = {1.2, 1};
-  built.set(conditions);
-  TileWorld other = built.copy();
-  EXPECT_FALSE(other.world->given_forces() == built.world->given_forces());
-  other.set(conditions);
-  EXPECT_EQ(other.world->given_forces(), built.world->given_forces());
-  const Poses before = built.world->poses();
-  other.world->set_friction(0.5);
-  other.world->settle(5);
-  EXPECT_EQ(built.world->poses()[0].t, before[0].t);
-  EXPECT_NE(other.world->poses()[0].t, before[0].t);
-}
-
 // Membranes by finite elements on both meshes, from scratch, with the pins where these tiles are.
 Wrenches by_elements(const Sample& sample, const SolvedDesign& solved, const TileWorld& built) {
   const int count = built.tile_count;
@@ -324,8 +188,8 @@ TEST(Settling, FeelsTheFiniteElementsWhereItHasSettled) {
   Sample sample(dome());
   double off[2];
   for (const bool elements : {false, true}) {
-    Settling settling(sample.design, sample.bodies, sample.solved);
-    settling.settle({}, 0.8, elements ? &sample.solved : nullptr);
+    Settling settling(sample.bodies, sample.solved);
+    settling.settle(0.8, elements ? &sample.solved : nullptr);
     ASSERT_TRUE(settling.at_rest());
     const TileWorld& built = settling.tile_world();
     const Wrenches wanted = by_elements(sample, sample.solved, built);
@@ -344,38 +208,29 @@ TEST(Settling, FeelsTheFiniteElementsWhereItHasSettled) {
   EXPECT_LT(off[1], 0.3 * off[0]);
 }
 
-TEST(Settling, ComesBackToWhereItWas) {
+TEST(TileWorld, PullsAsHardAsEitherMembraneIsStronger) {
   const Sample sample(dome());
-  Settling settling(sample.design, sample.bodies, sample.solved);
-  settling.settle({}, 0.8);
-  const Settling::State standing = settling.state();
-  Conditions conditions;
-  conditions.pull[0] = 1.3;
-  const auto corner = [&] {
-    settling.settle(conditions, 0.3);
-    return settling.surface().V;
+  const auto forces = [&](const std::array<double, 2>& pull) {
+    return make_tile_world(sample.bodies, sample.solved, pull).world->given_forces();
   };
-  const Points3 once = corner();
-  const double drift = settling.drift();
-  settling.restore(standing);
-  EXPECT_EQ(settling.contact_force(), standing.contact_force);
-  EXPECT_LT((corner() - once).cwiseAbs().maxCoeff(), 1e-6);
-  EXPECT_NEAR(settling.drift(), drift, 1e-9);
+  const Motions both = forces({1, 1}), front = forces({2, 1}) - both,
+                back = 0.5 * (forces({1, 3}) - both);
+  const double mean = both.leftCols<3>().rowwise().norm().mean();
+  const int count = static_cast<int>(sample.solved.elastic.rows());
+  EXPECT_LT((front + back - both).topRows(count).rowwise().norm().maxCoeff(), 1e-6 * mean);
+  ASSERT_GT(front.norm(), mean);
 }
 
-// With bare walls that touch all over, steps went round in circles for 1081 and 2373 iterations,
-// the latter without rest. Which samples do so depends on rounding.
-TEST(Settling, EndsStepsThatGoRoundInCircles) {
-  const Sample sample(dome("dimples"));
-  Settling standing(sample.design, sample.bodies, sample.solved);
-  standing.settle({}, 0.8);
-  for (double taper : {-0.01, 0.01, 0.015, 0.03}) {
-    Settling settling(standing);
-    Conditions conditions;
-    conditions.taper = taper;
-    settling.settle(conditions, 0.8);
-    EXPECT_TRUE(settling.at_rest()) << taper;
-    EXPECT_LT(settling.iterations(), 1000) << taper;
+// Known to go round in circles where friction's caps did not follow the normal forces at once.
+TEST(Settling, ComesToRestBetweenBareWalls) {
+  for (const char* bumps : {"dimples", "none"}) {
+    const Sample sample(dome(bumps));
+    for (const double friction : {0.3, 0.8}) {
+      Settling settling(sample.bodies, sample.solved);
+      settling.settle(friction);
+      EXPECT_TRUE(settling.at_rest()) << bumps << friction;
+      EXPECT_LT(settling.iterations(), 300) << bumps << friction;
+    }
   }
 }
 
@@ -388,29 +243,40 @@ TEST(SettledDesign, DoesNotHoldWithoutFriction) {
   EXPECT_FALSE(*found.holds);
   ASSERT_TRUE(found.failure.has_value());
   EXPECT_FALSE(found.holding_friction.has_value());
-  EXPECT_EQ(found.margin.met, std::optional<bool>(false));
   EXPECT_TRUE(found.window.empty());
 }
 
-TEST(SettledDesign, AWindowsEndsAreWhereItHoldsAndWhatFailsBeyond) {
+TEST(ProcessWindow, EndsBetweenTheLastSampleThatHoldsAndTheNext) {
+  const double mu = 0.4;
+  const std::vector<WindowRange> window =
+      process_window(mu, [&](const std::array<double, 2>& pull, double friction) {
+        const bool holds = pull[0] <= 1.17 && pull[1] <= 1.5 && friction >= 0.5 * mu;
+        return holds ? std::nullopt : std::make_optional(Finding{"settled_open"});
+      });
+  ASSERT_EQ(window.size(), 2u);
+  const auto& [over, friction] = std::tie(window[0], window[1]);
+  EXPECT_EQ(over.parameter, "front_over_back");
+  EXPECT_EQ(over.searched, (std::array<double, 2>{-30, 30}));
+  EXPECT_EQ(over.end[0].value, -30);
+  EXPECT_FALSE(over.end[0].failure);
+  EXPECT_EQ(over.end[1].value, 15);
+  EXPECT_TRUE(over.end[1].failure);
+  EXPECT_EQ(friction.parameter, "friction_coefficient");
+  EXPECT_NEAR(friction.end[0].value, 0.5 * mu, 1e-12);
+  EXPECT_TRUE(friction.end[0].failure);
+  EXPECT_EQ(friction.end[1].value, 2 * mu);
+}
+
+TEST(SettledDesign, AWindowIsLookedForWhereItIsAskedForAndTheDesignHolds) {
   Design design = dome();
   design.parameters.friction_coefficient = 1;
   design.parameters.window = true;
   const SettledDesign found = settle_design(design, {});
   ASSERT_TRUE(found.holds.value_or(false));
-  ASSERT_FALSE(found.window.empty());
-  for (const WindowRange& range : found.window) {
-    for (int e = 0; e < 2; ++e) {
-      const WindowEnd& end = range.end[e];
-      if (range.verdict == "glue") continue;
-      if (end.failure) {
-        EXPECT_NE(end.value, range.searched[e]) << range.parameter;
-      } else {
-        EXPECT_EQ(end.value, range.searched[e]) << range.parameter;
-      }
-      EXPECT_LE(std::abs(end.value), std::abs(range.searched[1]) + 1) << range.parameter;
-    }
-  }
+  ASSERT_EQ(found.window.size(), 2u);
+  EXPECT_EQ(found.holding_friction, found.window[1].end[0].value);
+  design.parameters.window = false;
+  EXPECT_TRUE(settle_design(design, {}).window.empty());
 }
 
 TEST(SettledDesign, StopsWhereItIsAskedTo) {

@@ -27,7 +27,7 @@ from ..macro import call, named
 from ..notice import errors_shown, shown
 from ..qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, translate
 from ..run import LIVE
-from ..units import short, text_of
+from ..units import short
 from . import preferences
 from .check import choose_sizes
 from .panel import Panel, enable, fit_columns
@@ -63,15 +63,8 @@ _STATES = (
     QT_TRANSLATE_NOOP("CurveUpsSolve", "running"))
 # Of the process window: what may be off.
 _RANGES = {
-    "stretch": QT_TRANSLATE_NOOP("CurveUpsSolve", "Stretch"),
-    "stretch_y": QT_TRANSLATE_NOOP("CurveUpsSolve", "Stretch along Y"),
     "front_over_back": QT_TRANSLATE_NOOP("CurveUpsSolve", "Front over back"),
-    "xy_growth": QT_TRANSLATE_NOOP("CurveUpsSolve", "Growth in XY"),
-    "xy_taper": QT_TRANSLATE_NOOP("CurveUpsSolve", "Taper in XY"),
-    "half_shift": QT_TRANSLATE_NOOP("CurveUpsSolve", "Shift of a half"),
-    "half_turn": QT_TRANSLATE_NOOP("CurveUpsSolve", "Turn of a half"),
     "friction_coefficient": QT_TRANSLATE_NOOP("CurveUpsSolve", "Friction"),
-    "glue_strength": QT_TRANSLATE_NOOP("CurveUpsSolve", "Glue strength"),
 }
 DONE, RUNNING, WAITING = "✓", "▶", "·"
 
@@ -320,9 +313,7 @@ class SolvePanel(Panel):
 
 def _value(one: Range, value: float) -> str:
     """Of a process window, with its unit."""
-    if one.unit == "%":
-        return f"{short(value)} %"
-    return text_of(value, {"degrees": "deg"}.get(one.unit, one.unit), max(abs(end) for end in one.searched))
+    return f"{short(value)} {one.unit}".rstrip()
 
 
 def _mark(item: Any, mark: str, stage: str) -> None:
