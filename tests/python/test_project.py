@@ -58,7 +58,7 @@ def test_only_what_is_missing_is_run(project, ran):
 
 @pytest.mark.parametrize("name, value, kept, run", [
     ("friction_coefficient", 0.6, "layout", "verification"),
-    ("support", "none", "verification", "bodies"),
+    ("orientation", "front-down", "verification", "bodies"),
     ("H_body", 2.5, "target", "layout"),
     ("tau", 2.8, "pin smoothing", "layout"),
     ("d_gap_min", 0.7, "pin smoothing", "layout"),
