@@ -54,13 +54,6 @@ def test_what_fits_stays_as_it_is(design):
     assert divided(design, model.bbox[:2])[1] is None
 
 
-def test_tiles_that_nothing_holds_anyway_stop_no_division(design):
-    """A loose tile of the whole print is one of its parts, too."""
-    model, found, printer = divided(design, (52, 30), support="breakaway", bridge_width=3.0)
-    assert model.loose_tiles and found.seams
-    require_whole(model, found, printer)
-
-
 def test_a_print_is_turned_where_that_does(design):
     """A strip that lies askew."""
     turn = np.array([[np.cos(0.6), -np.sin(0.6)], [np.sin(0.6), np.cos(0.6)]])
@@ -80,7 +73,7 @@ def _strip():
 
 def test_anchors_for_which_there_is_no_room_are_left_out(design):
     model, _, _ = divided(design, (200, 200))
-    bed = [float(side) - 8 for side in model.bbox[:2]]
+    bed = [float(side) - 3 for side in model.bbox[:2]]
     model, found, printer = divided(design, bed)
     assert len(found.places) == 1 and not found.seams
     require_whole(model, found, printer)
@@ -251,7 +244,8 @@ def test_a_print_that_can_not_be_made_with_fewer_anchors_is_cut(design, monkeypa
     model = native.make_print_model(design)
     bed = [float(side) - 8 for side in model.bbox[:2]]
     names = {name: getattr(native, name) for name in ("Parameters", "TopologyError", "SolverFailure",
-                                                      "pieces_of_faces", "Cancelled")}
+                                                      "pieces_of_faces", "Cancelled", "SUPPORT_MARGIN",
+                                                      "ANCHOR_DISTANCE")}
     monkeypatch.setattr(beds, "native", SimpleNamespace(make_print_model=make, **names))
     found = beds.beds(design, model, {"bed_mm": [*bed, 100], "growth_mm": 0.05}, native.tile_shapes(design),
                       lambda *_: True)

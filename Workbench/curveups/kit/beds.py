@@ -157,7 +157,7 @@ def _divisions(design: Any, bed: Sequence[float], shapes: Any, asked: Asked
     pieces = np.asarray(native.pieces_of_faces(design.V, design.F, design.cuts))
     corners = np.asarray(shapes.flat)[..., :2]
     contacts = np.asarray(shapes.contacts).reshape(-1, 2)
-    room = np.sort(bed[:2]) - 2 * _rim(design.parameters)
+    rim = _rim(design.parameters)
     grids = [(x, y) for x in range(1, MOST_PARTS + 1) for y in range(1, MOST_PARTS // x + 1)]
     for columns, rows in sorted(grids, key=lambda grid: (grid[0] * grid[1], abs(grid[0] - grid[1]))):
         if not asked():
@@ -165,20 +165,24 @@ def _divisions(design: Any, bed: Sequence[float], shapes: Any, asked: Asked
         parts = np.zeros(len(corners), int)
         for piece in range(int(pieces.max()) + 1):
             own = pieces == piece
-            parts[own] = parts.max() + 1 + _grid(corners[own], columns, rows, room)
+            parts[own] = parts.max() + 1 + _grid(corners[own], columns, rows, bed, rim)
         parts = _joined(parts, contacts)
-        if all(_fits(corners[parts == part], room) for part in range(int(parts.max()) + 1)):
+        if all(_fits(corners[parts == part], corners[pieces == pieces[parts == part][0]], bed, rim)
+               for part in range(int(parts.max()) + 1)):
             yield parts, columns + rows - 2
 
 
-def _fits(corners: np.ndarray, room: np.ndarray) -> bool:
-    """corners: tiles x corners x 2."""
-    return bool((np.sort(np.ptp(corners.reshape(-1, 2), axis=0)) <= room).all())
+def _fits(part: np.ndarray, piece: np.ndarray, bed: Sequence[float], rim: float) -> bool:
+    """True if the tiles of a part (tiles x corners x 2) fit the bed, with the rim where their piece ends."""
+    low, high = part.min((0, 1)), part.max((0, 1))
+    low = low - np.where(low - piece.min((0, 1)) < rim, rim, 1.0)
+    high = high + np.where(piece.max((0, 1)) - high < rim, rim, 1.0)
+    return bool((np.sort(high - low) <= np.sort(bed[:2])).all())
 
 
-def _grid(corners: np.ndarray, columns: int, rows: int, room: np.ndarray) -> np.ndarray:
-    """The cell of each tile of a piece; all are in one cell where the piece has room."""
-    if _fits(corners, room):
+def _grid(corners: np.ndarray, columns: int, rows: int, bed: Sequence[float], rim: float) -> np.ndarray:
+    """The cell of each tile of a piece; all are in one cell where the piece fits the bed."""
+    if _fits(corners, corners, bed, rim):
         return np.zeros(len(corners), int)
     middles = corners.mean(1)
     share = (middles - middles.min(0)) / np.maximum(np.ptp(middles, axis=0), 1e-9)
