@@ -70,7 +70,6 @@ class Path::Former : public MotionEnergy {
   double force = 0;  // N on a tile that is far from its place
   double reach = 0;  // mm
 
-  std::unique_ptr<MotionEnergy> part(const BodyPart&) const override { return nullptr; }
   void couple(std::vector<Coupling>&) const override {}
   double value(const Poses& poses) const override {
     double sum = 0;
@@ -79,8 +78,8 @@ class Path::Former : public MotionEnergy {
     }
     return sum;
   }
-  double derivatives(const Poses& poses, double, Motions& gradient, BlockMatrix<6>* hessian,
-                     int) const override {
+  double derivatives(const Poses& poses, double, Motions& gradient,
+                     const MotionHessian* hessian) const override {
     for (int i = 0; force > 0 && i < places.rows(); ++i) {
       const Vec3 way = poses[i].t - places.row(i).transpose();
       const double length = std::hypot(way.norm(), reach);
