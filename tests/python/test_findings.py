@@ -44,7 +44,8 @@ def test_a_style_writes_words_tiles_and_text():
                   lambda row: f"<{row}>", lambda text: escape(text, quote=False),
                   lambda number, how, unit: f"{1000 * number:{how}} k{unit}")
     assert "0.3 mm into" in str(found)
-    assert found.sentence(style).startswith("the hinten membrane &lt;schneidet&gt; 300 kmm into the body of <2>")
+    said = found.sentence(style)
+    assert said.startswith("the hinten membrane &lt;schneidet&gt; 300 kmm into the body of <2>"), said
     named = failed("unprintable", CurveUpsError("a < b", "", "do it"))
     assert named.sentence(style) == "the print can't be made: a &lt; b (do it)"
 
