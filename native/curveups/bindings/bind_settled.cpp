@@ -69,9 +69,8 @@ void bind_settled(py::module_& module) {
   module.def(
       "settle_design",
       [](const Design& design, py::object progress) {
-        return without_gil(std::move(progress), [&](const Progress& sink) {
-          return settle_design(design, sink);
-        });
+        return without_gil(std::move(progress),
+                           [&](const Progress& sink) { return settle_design(design, sink); });
       },
       py::arg("design"), py::arg("progress") = py::none(),
       "Lets the tiles of a design settle from where they stand when actuated, under its "

@@ -85,9 +85,11 @@ void ContactEnergy::add_pair(const TouchingPair& pair, const Poses& poses, doubl
         -push * touch.normal + touch.tangents * (slips ? Vec2(force * along) : Vec2(k * u));
     Eigen::Matrix3d by_y_twice = Eigen::Matrix3d::Zero();
     if (hessian) {
-      if (touch.gap(y) <= grazing_gap) by_y_twice = touch.stiffness * touch.normal * touch.normal.transpose();
+      if (touch.gap(y) <= grazing_gap)
+        by_y_twice = touch.stiffness * touch.normal * touch.normal.transpose();
       Eigen::Matrix2d plane = k * Eigen::Matrix2d::Identity();
-      if (slips) plane = force / stretch * (Eigen::Matrix2d::Identity() - along * along.transpose());
+      if (slips)
+        plane = force / stretch * (Eigen::Matrix2d::Identity() - along * along.transpose());
       by_y_twice += touch.tangents * plane * touch.tangents.transpose();
     }
     add_seen_point(poses, pair.body, touch.of, 1 - touch.of, touch.point, by_y, by_y_twice, lever,
@@ -120,9 +122,8 @@ double ContactEnergy::derivatives(const Poses& poses, double lever, Motions& gra
 }
 
 void ContactEnergy::lag_friction(const Poses& poses) {
-  each_seen(pairs, poses, [&](Touch& touch, const Vec3& y) {
-    touch.cap = friction_coefficient * touch.push(y);
-  });
+  each_seen(pairs, poses,
+            [&](Touch& touch, const Vec3& y) { touch.cap = friction_coefficient * touch.push(y); });
 }
 
 void ContactEnergy::stick(const Poses& poses) {
@@ -180,8 +181,8 @@ std::vector<TouchForce> ContactEnergy::forces(const Poses& poses) const {
       const Vec2 reach = touch.reach(y);
       const double length = reach.norm();
       if (length > 0) {
-        force.friction = sign * friction_force(touch, length) / length *
-                         (other.R * (touch.tangents * reach));
+        force.friction =
+            sign * friction_force(touch, length) / length * (other.R * (touch.tangents * reach));
       }
       force.gap = touch.gap(y);
       force.slip = touch.slip;

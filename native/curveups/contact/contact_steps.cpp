@@ -83,8 +83,8 @@ void ContactWorld::descend(const Drag& drag, double unit, bool stuck, Poses& x,
   for (int iteration = 0;; ++iteration) {
     if (!stuck) contacts_.lag_friction(x);
     bool projected = pace.projected;
-    const bool last = iteration >= pace.most_iterations ||
-                      (iteration >= pace.iterations && !stores_more());
+    const bool last =
+        iteration >= pace.most_iterations || (iteration >= pace.iterations && !stores_more());
     Motions g;
     BlockMatrix<6>* matrix = last ? nullptr : hessian_.get();
     if (matrix) matrix->set_zero();

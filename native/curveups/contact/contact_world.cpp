@@ -39,8 +39,8 @@ void ContactWorld::make_pattern() {
     free.push_back(!body.fixed);
     unknowns.push_back(body.is_point() ? 3 : 6);
   }
-  hessian_ = std::make_unique<BlockMatrix<6>>(
-      std::make_shared<const BlockPattern>(free, couplings), unknowns);
+  hessian_ = std::make_unique<BlockMatrix<6>>(std::make_shared<const BlockPattern>(free, couplings),
+                                              unknowns);
 }
 
 // Bodies that the energies join, and those around a point: these depend on one another once it is

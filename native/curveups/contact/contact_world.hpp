@@ -71,7 +71,8 @@ struct StepReport {
   double motion = 0;    // of the body that moved furthest, mm
   double energy = 0;    // after it, N mm: of the given energies and of the springs of contacts
   double residual = 0;  // largest force on a body when the step began, in the unit of forces
-  // The energy before it with its own contact points (N mm), w (N / mm), what friction takes (N mm).
+  // The energy before it with its own contact points (N mm), w (N / mm), what friction takes (N
+  // mm).
   double before = 0, weight = 0, friction = 0;
 };
 
@@ -127,8 +128,8 @@ class ContactWorld {
   std::unique_ptr<BlockMatrix<6>> hessian_;
   std::optional<std::vector<std::array<int, 2>>> joined_;  // once searched
   bool searched_ = false;
-  double weight_ = -1;    // w of the next step; negative: not known yet
-  double rounding_ = 0;   // N: forces smaller than this are rounding of positions
+  double weight_ = -1;   // w of the next step; negative: not known yet
+  double rounding_ = 0;  // N: forces smaller than this are rounding of positions
 };
 
 }  // namespace curveups

@@ -66,8 +66,7 @@ std::vector<WindowRange> process_window(double mu, const WindowSample& sample) {
   };
   std::vector<WindowRange> out;
   for (const Axis& axis : axes) {
-    out.push_back(
-        {axis.parameter, axis.unit, {axis.values[0].back(), axis.values[1].back()}, {}});
+    out.push_back({axis.parameter, axis.unit, {axis.values[0].back(), axis.values[1].back()}, {}});
   }
   const int ends = 2 * static_cast<int>(axes.size());
   std::atomic<int> done = 0;

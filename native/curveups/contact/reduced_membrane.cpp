@@ -78,7 +78,8 @@ void ReducedMembrane::add_triangle(Element& element, const std::array<int, 3>& c
   const double twice = rest.determinant();
   if (!(twice > 0)) return;
   element.triangles.push_back(
-      {corner, rest.inverse(), 0.25 * material_.shear_modulus * material_.thickness * twice * share});
+      {corner, rest.inverse(),
+       0.25 * material_.shear_modulus * material_.thickness * twice * share});
 }
 
 void ReducedMembrane::couple(std::vector<Coupling>& couplings) const {
@@ -106,8 +107,7 @@ double ReducedMembrane::evaluate(const Element& element, const Poses& poses, dou
   for (const Triangle& t : element.triangles) {
     const double weight = t.weight;
     // F's columns are sums of the edges e1 and e2. The first corner moves both.
-    const double a = t.inverse(0, 0), b = t.inverse(0, 1), c = t.inverse(1, 0),
-                 d = t.inverse(1, 1);
+    const double a = t.inverse(0, 0), b = t.inverse(0, 1), c = t.inverse(1, 0), d = t.inverse(1, 1);
     const auto& [i, j, k] = t.corner;
     const Vec3 e1 = x[j] - x[i], e2 = x[k] - x[i];
     Gradient32 F;

@@ -15,7 +15,7 @@ constexpr double barrier_accuracy = 10;  // optimality error, in units of mu, be
 // Energy per mm: ten times less changes the energy by a few parts in 1e5 and takes a third more
 // iterations.
 constexpr double gradient_accuracy = 1e-3;
-constexpr double last_level = 3;    // in units of mu_end: no level is worth its steps below that
+constexpr double last_level = 3;  // in units of mu_end: no level is worth its steps below that
 constexpr int max_halvings = 12;
 
 // Shortens a step so that value + length change stays a share of the way from zero.
@@ -42,8 +42,7 @@ struct InteriorPoint::Linearization {
   using Values = std::vector<std::vector<Residuals::Value>>;
 
   // kept: memory of another linearization, for the values.
-  Linearization(int blocks, const Terms<9>& energies, const Constraints& constraints,
-                Values kept)
+  Linearization(int blocks, const Terms<9>& energies, const Constraints& constraints, Values kept)
       : values(std::move(kept)) {
     values.resize(constraints.size());
     std::vector<Coupling> couplings;
@@ -187,8 +186,7 @@ InteriorPoint::Vector InteriorPoint::right_side(const Vector& z, double mu,
   for (std::size_t c = 0; c < constraints_.size(); ++c) {
     for (int e = 0; e < constraints_[c]->element_count(); ++e) {
       const auto& value = at.values[c][e];
-      const double s = slack_[c](e),
-                   pull = (mu - multiplier_[c](e) * (value.value(0) - s)) / s;
+      const double s = slack_[c](e), pull = (mu - multiplier_[c](e) * (value.value(0) - s)) / s;
       constraints_[c]->add_row(e, value, 0, pull, right);
     }
   }

@@ -2,8 +2,8 @@
 // A surface faired to feasibility: the least movement of its vertices (clearance_program.hpp) for
 // which every tile has a back face and room for its pins on both sides. Folds, thickness, insets
 // and truncation planes meet in that room: a fold is too sharp where it leaves a tile none. The
-// same closed forms as in the smoothing for pins, without its narrow limits, and before it: where folds
-// leave tiles no back face there is no design yet.
+// same closed forms as in the smoothing for pins, without its narrow limits, and before it: where
+// folds leave tiles no back face there is no design yet.
 #pragma once
 
 #include <vector>

@@ -84,9 +84,9 @@ TEST(ContactSearch, FrictionsHistoryGoesOnFromTheNearestPoint) {
     scene.poses[1].t.x() = shift;
     const std::vector<TouchingPair> now = touching(scene, options, before);
     ASSERT_EQ(now[0].touches.size(), 8u);
-    const bool same = std::equal(now[0].touches.begin(), now[0].touches.end(),
-                                 before[0].touches.begin(),
-                                 [](const Touch& a, const Touch& b) { return a.point == b.point; });
+    const bool same =
+        std::equal(now[0].touches.begin(), now[0].touches.end(), before[0].touches.begin(),
+                   [](const Touch& a, const Touch& b) { return a.point == b.point; });
     EXPECT_EQ(same, shift < 1);
     for (std::size_t k = 0; k < 8; ++k) {
       const Touch& touch = now[0].touches[k];

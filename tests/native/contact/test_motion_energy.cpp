@@ -22,8 +22,7 @@ Poses straight(const Poses& poses, const Motions& motions, double lever) {
 }
 
 // With two couplings of others before the energy's own.
-Eigen::MatrixXd second_derivatives(const MotionEnergy& energy, const Poses& poses,
-                                   bool projected) {
+Eigen::MatrixXd second_derivatives(const MotionEnergy& energy, const Poses& poses, bool projected) {
   std::vector<Coupling> couplings(2, Coupling{0, 0});
   energy.couple(couplings);
   const int count = static_cast<int>(poses.size());

@@ -280,8 +280,9 @@ TEST(SettledDesign, AWindowIsLookedForWhereItIsAskedForAndTheDesignHolds) {
 }
 
 TEST(SettledDesign, StopsWhereItIsAskedTo) {
-  EXPECT_THROW(settle_design(dome(), [](const std::string& what, double) { return what != "settle"; }),
-               Cancelled);
+  EXPECT_THROW(
+      settle_design(dome(), [](const std::string& what, double) { return what != "settle"; }),
+      Cancelled);
 }
 
 }  // namespace
