@@ -95,10 +95,6 @@
       <translation>Wählen, was von einem geschlossenen CAD-Teil wegfällt: seine größte ebene Fläche (auto, largest), die Flächen in einer Ebene (z=0), alles unter einer Ebene (z&gt;0), alles darüber (z&lt;0) oder nichts (none). Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Choose what is asked about margin_mismatch and margin_friction: nothing (off), a warning where the design does not bear them (report), or that it does (require). Takes effect with Verify.</source>
-      <translation>Was zu margin_mismatch und margin_friction gefragt wird: nichts (off), eine Warnung, wo der Entwurf sie nicht verträgt (report), oder dass er es tut (require). Wirkt mit „Prüfen“.</translation>
-    </message>
-    <message>
       <source>Choose what carries the weight of the tiles: nothing (off leaves it out), the held tiles (held), or a plane below the piece (resting). Takes effect with Verify.</source>
       <translation>Wählen, was das Gewicht der Kacheln trägt: nichts (off lässt es weg), die gehaltenen Kacheln (held) oder eine Ebene unter dem Stück (resting). Wirkt mit „Prüfen“.</translation>
     </message>
@@ -109,6 +105,10 @@
     <message>
       <source>Choose what holds the layout together after printing: a soluble slab, breakaway bridges or nothing (none). Takes effect at once.</source>
       <translation>Wählen, was die Abwicklung nach dem Druck zusammenhält: soluble (lösliche Platte), breakaway (Brücken zum Abbrechen) oder nichts (none). Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>Choose what is asked about margin_mismatch and margin_friction: nothing (off), a warning where the design does not bear them (report), or that it does (require). Takes effect with Verify.</source>
+      <translation>Was zu margin_mismatch und margin_friction gefragt wird: nichts (off), eine Warnung, wo der Entwurf sie nicht verträgt (report), oder dass er es tut (require). Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
       <source>Choose what keeps contacts from sliding: bumps, dimples (bumps that snap into hollows) or nothing (none). Takes effect at once.</source>
@@ -133,10 +133,6 @@
     <message>
       <source>Density of the tiles. It gives them their weight. From 0 to 30 g/cm3. Takes effect with Verify.</source>
       <translation>Dichte der Kacheln. Aus ihr folgt ihr Gewicht. Von 0 bis 30 g/cm3. Wirkt mit „Prüfen“.</translation>
-    </message>
-    <message>
-      <source>Direction of gravity as x,y,z in the coordinates of the target. Its length has no effect. Takes effect with Verify.</source>
-      <translation>Richtung der Schwerkraft als x,y,z in den Koordinaten des Ziels. Ihre Länge hat keine Wirkung. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
       <source>Elongation at which the membranes break, as their maker states it. The report warns where they stretch further. From 1 to 5000 %. Takes effect with Verify.</source>
@@ -219,10 +215,6 @@
       <translation>Die Koordinaten einer Datei ohne Einheiten mit diesem Faktor multiplizieren (1000 für Meter). Von 1e-06 bis 1e+06. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Number of bumps on an interface. Its two tiles share them. From 3 to 40. Takes effect at once.</source>
-      <translation>Anzahl der Noppen einer Berührfläche. Ihre beiden Kacheln teilen sie sich. Von 3 bis 40. Wirkt sofort.</translation>
-    </message>
-    <message>
       <source>Number of pieces that the target is divided into (1 to 24). auto finds the smallest number that lies flat. Takes effect with Solve.</source>
       <translation>Anzahl der Stücke, in die die Zielfläche geteilt wird (1 bis 24). auto findet die kleinste Anzahl, die flach liegt. Wirkt mit „Lösen“.</translation>
     </message>
@@ -269,10 +261,6 @@
     <message>
       <source>Thickness of the front membrane before it is stretched. From 0.01 to 10 mm. Takes effect with Verify.</source>
       <translation>Dicke der vorderen Membran vor dem Dehnen. Von 0.01 bis 10 mm. Wirkt mit „Prüfen“.</translation>
-    </message>
-    <message>
-      <source>Width of a breakaway bridge. From 0.1 to 20 mm. Takes effect at once.</source>
-      <translation>Breite einer Brücke zum Abbrechen. Von 0.1 bis 20 mm. Wirkt sofort.</translation>
     </message>
   </context>
   <context>
@@ -1065,10 +1053,6 @@
       <translation>„{0}“ lässt sich nicht lesen</translation>
     </message>
     <message>
-      <source>'{0}' is no direction</source>
-      <translation>„{0}“ ist keine Richtung</translation>
-    </message>
-    <message>
       <source>'{0}' is no face</source>
       <translation>„{0}“ ist keine Fläche</translation>
     </message>
@@ -1777,10 +1761,6 @@
       <translation>ein design.json von „curveups design“ angeben</translation>
     </message>
     <message>
-      <source>give a direction, or set gravity to off</source>
-      <translation>eine Richtung angeben oder gravity auf off setzen</translation>
-    </message>
-    <message>
       <source>give a file that 'curveups design' wrote</source>
       <translation>eine Datei angeben, die „curveups design“ geschrieben hat</translation>
     </message>
@@ -1969,10 +1949,6 @@
       <translation>x, y, z in mm und eine Einheitsquaternion w, x, y, z angeben</translation>
     </message>
     <message>
-      <source>give x,y,z: 0,0,-1</source>
-      <translation>x,y,z angeben: 0,0,-1</translation>
-    </message>
-    <message>
       <source>give {0} file</source>
       <translation>eine Datei angeben: {0}</translation>
     </message>
@@ -1983,10 +1959,6 @@
     <message>
       <source>give {0} to {1}</source>
       <translation>{0} bis {1} angeben</translation>
-    </message>
-    <message>
-      <source>gravity has no direction: gravity_direction is {0}</source>
-      <translation>die Schwerkraft hat keine Richtung: gravity_direction ist {0}</translation>
     </message>
     <message>
       <source>height of the pins</source>
@@ -2973,12 +2945,12 @@
       <translation>die Liste der Schnitte hat eine ungerade Anzahl von Punkten</translation>
     </message>
     <message>
-      <source>the margin is not met: where the {side} membrane pulls {percent:.3g} % harder and friction is {mu:.3g}, pushing forces leave a least normal force of {least:.3g N}, less than f_min = {f_min:.3g N}, first at {contacts:8}</source>
-      <translation>Die Reserve ist nicht erfüllt: Wenn die Membran ({side}) um {percent:.3g} % stärker zieht und die Reibung {mu:.3g} ist, lassen Druckkräfte eine kleinste Normalkraft von {least:.3g N}, weniger als f_min = {f_min:.3g N}, zuerst bei {contacts:8}</translation>
-    </message>
-    <message>
       <source>the margin is not met: where the {side} membrane pulls {percent:.3g} % harder and friction is {mu:.3g}, no pushing forces balance the tiles: {pull:.3g N} of pull would be needed, first at {contacts:8}</source>
       <translation>Die Reserve ist nicht erfüllt: Wenn die Membran ({side}) um {percent:.3g} % stärker zieht und die Reibung {mu:.3g} ist, halten keine Druckkräfte die Kacheln im Gleichgewicht: {pull:.3g N} Zug wären nötig, zuerst bei {contacts:8}</translation>
+    </message>
+    <message>
+      <source>the margin is not met: where the {side} membrane pulls {percent:.3g} % harder and friction is {mu:.3g}, pushing forces leave a least normal force of {least:.3g N}, less than f_min = {f_min:.3g N}, first at {contacts:8}</source>
+      <translation>Die Reserve ist nicht erfüllt: Wenn die Membran ({side}) um {percent:.3g} % stärker zieht und die Reibung {mu:.3g} ist, lassen Druckkräfte eine kleinste Normalkraft von {least:.3g N}, weniger als f_min = {f_min:.3g N}, zuerst bei {contacts:8}</translation>
     </message>
     <message>
       <source>the margin is required, and the tiles did not settle: set run_settling and run_verification on</source>
