@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "curveups/core/errors.hpp"
+#include "curveups/design/print_constants.hpp"
 #include "curveups/physics/loads.hpp"
 #include "curveups/physics/verification.hpp"
 #include "support/designs.hpp"
@@ -69,7 +69,7 @@ TEST(Loads, WeightLacksTheHolesOfJoints) {
   };
   const Wrenches less = loads("none") - loads("holes");
   // Four holes, each pulling less at its own tile alone.
-  const double hole = 9.80665e-6 * p.density * M_PI * 0.35 * 0.35 * p.H_body;
+  const double hole = 9.80665e-6 * p.density * M_PI * 0.25 * joint_hole * joint_hole * p.H_body;
   int tiles = 0;
   for (int i = 0; i < less.rows(); ++i) {
     if (less.row(i).norm() == 0) continue;
