@@ -3,10 +3,8 @@
 
 import json
 import re
-import subprocess
 
 import pytest
-from running import command, environment
 
 ERROR = re.compile(r"^curveups: error: .+ \(.+\): .+$")
 

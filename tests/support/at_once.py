@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections import Counter
+from collections import defaultdict
 
 import pytest
 
@@ -11,7 +11,7 @@ import pytest
 class AtOnce:
     def __init__(self, config: pytest.Config) -> None:
         self._config = config
-        self._seconds: Counter[str] = Counter()
+        self._seconds: dict[str, float] = defaultdict(float)
 
     @pytest.hookimpl(trylast=True)
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
@@ -27,7 +27,7 @@ class AtOnce:
     def pytest_terminal_summary(self) -> None:
         terminal = self._config.pluginmanager.getplugin("terminalreporter")
         terminal.section("seconds per file")
-        for file, seconds in self._seconds.most_common():
+        for file, seconds in sorted(self._seconds.items(), key=lambda row: -row[1]):
             terminal.line(f"{seconds:7.1f} s {file}")
 
 

@@ -101,7 +101,7 @@ def _run(inputs: Inputs, job: Job) -> Settled:
 
 def _range(found: Any) -> Range:
     low, high = found.low, found.high
-    return Range(found.parameter, found.unit, tuple(found.searched),
+    return Range(found.parameter, found.unit, (found.searched[0], found.searched[1]),
                  (low.value if low.failure else None, high.value if high.failure else None),
                  (_finding(low.failure), _finding(high.failure)))
 

@@ -44,8 +44,13 @@ void bind_settled(py::module_& module) {
       .def_readonly("mismatch", &Margin::mismatch, "Of the membranes' pull, %.")
       .def_readonly("friction_coefficient", &Margin::friction_coefficient)
       .def_readonly("met", &Margin::met)
-      .def_readonly("failures", &Margin::failure,
-                    "What fails where the front pulls harder, and the back.");
+      .def_property_readonly(
+          "failures",
+          [](const Margin& margin) {
+            return std::vector<std::optional<Finding>>(margin.failure.begin(),
+                                                       margin.failure.end());
+          },
+          "What fails where the front pulls harder, and the back.");
   py::class_<SettledDesign>(module, "SettledDesign",
                             "What develops where a design's tiles are let go when actuated.")
       .def_readonly("holds", &SettledDesign::holds, "None where that is not known.")
