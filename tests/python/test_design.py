@@ -56,9 +56,9 @@ def test_progress_lines_are_plain_off_a_terminal(designed):
     assert "curveups: layout" in designed.ran.err
 
 
-def test_built_in_without_freecad(curveups, tmp_path):
-    ran = curveups("design", "disc", "-o", tmp_path / "o", "--no-solids", "--set", "L=12",
-                   CURVEUPS_FREECAD_LIB="/nowhere")
+def test_built_in_without_freecad(curveups_process, tmp_path):
+    ran = curveups_process("design", "disc", "-o", tmp_path / "o", "--no-solids", "--set", "L=12",
+                           CURVEUPS_FREECAD_LIB="/nowhere")
     assert ran.status == 0, ran.err
     report = json.loads((tmp_path / "o" / "report.json").read_text("utf-8"))
     assert abs(report["target"]["mean_edge_mm"] / 12 - 1) <= 0.03
@@ -74,10 +74,10 @@ def alike(report):
 
 
 @pytest.mark.parametrize("arguments", [("--no-solids",), ()], ids=["layout", "solids"])
-def test_same_bytes_with_one_and_two_threads(curveups, tmp_path, arguments):
+def test_same_bytes_with_one_and_two_threads(curveups_process, tmp_path, arguments):
     for threads in ("1", "2"):
-        ran = curveups("design", "saddle", "-o", tmp_path / threads, "--set", "L=14", *arguments,
-                       CURVEUPS_THREADS=threads)
+        ran = curveups_process("design", "saddle", "-o", tmp_path / threads, "--set", "L=14", *arguments,
+                               CURVEUPS_THREADS=threads)
         assert ran.status == 0, ran.err
 
     def read(threads, name):
