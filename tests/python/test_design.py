@@ -84,10 +84,12 @@ def test_same_bytes_with_one_and_two_threads(curveups_process, tmp_path, argumen
         return (tmp_path / threads / name).read_bytes()
 
     reports = [alike(json.loads(read(threads, "report.json"))) for threads in ("1", "2")]
+    for report in reports:  # FreeCAD dates its documents
+        report.get("print", {"files": {}})["files"].pop("saddle.FCStd", None)
     assert reports[0]["unilateral"]["feasible_at_bump_tips"] is True
     assert reports[0] == reports[1]
     for name in sorted(path.name for path in (tmp_path / "1").iterdir()):
-        if name != "report.json":
+        if name not in ("report.json", "saddle.FCStd"):
             assert read("1", name) == read("2", name), name
 
 

@@ -143,7 +143,7 @@ UNSETTLED = Finding.about("unsettled", iterations=7)
 
 def judged(broken=(), unsettled=UNSETTLED, reasons=()):
     """The verdict on constraints and solids as given, of a design whose forces hold; and the warnings."""
-    figures = Figures(1, 0, {}, (), (), (), tuple(broken), unsettled)
+    figures = Figures(1, 0, {}, (), (), tuple(broken), unsettled)
     results = {"figures": figures, "verification": verification.Verification(valid=True),
                "check": Check(broken=tuple(reasons))}
     return judge(results), [str(w) for w in figures.warnings()]
@@ -171,7 +171,7 @@ def bound(what="p_min", tile=4, start=0.6, end=0.35):
 def test_bounds_that_gave_way_are_told_and_a_printer_that_cannot_make_them_is_a_reason():
     """Those of one kind in one warning, by the one that went farthest; and all of them in report.json."""
     given = (bound(), bound(tile=7, end=0.45), bound("p_max", 2, 0.4, 0.7))
-    figures = Figures(1, 0, {}, (), (), (), (), None, relaxed=given)
+    figures = Figures(1, 0, {}, (), (), (), None, relaxed=given)
     assert figures.report()["relaxed"] == list(given)
     said = [entry for entry in map(Finding.entry, figures.warnings()) if entry["kind"] == "relaxed"]
     assert [entry["tiles"] for entry in said] == [[2], [4, 7]]
@@ -181,11 +181,11 @@ def test_bounds_that_gave_way_are_told_and_a_printer_that_cannot_make_them_is_a_
 
 
 def test_interfaces_that_were_shortened_and_gaps_that_bumps_narrow_are_told():
-    figures = Figures(1, 0, {}, (), (), (), (), None, shortened=((3, 90),), flat_gap=(0.45, 0.6))
+    figures = Figures(1, 0, {}, (), (), (), None, shortened=((3, 90),), flat_gap=(0.45, 0.6))
     told = {found.group: found.entry() for found in figures.warnings()}
     assert told["shortened"]["tiles"] == [3, 90] and "T00004-T00091" in told["shortened"]["what"]
     assert "0.45 of 0.6 mm" in told["flat_gap"]["what"]
-    assert Figures(1, 0, {}, (), (), (), (), None, flat_gap=(0.6, 0.6)).warnings() == []
+    assert Figures(1, 0, {}, (), (), (), None, flat_gap=(0.6, 0.6)).warnings() == []
 
 
 def test_what_the_surplus_membrane_asks_of_anchors():

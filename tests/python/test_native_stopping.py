@@ -42,13 +42,13 @@ def calls(design, folder):
         # Contacts that have to press with more than they do.
         harder = native.Parameters(p)
         harder.set("f_min_ratio", 0.9)
-        return native.repair_design(design.with_parameters(harder), None, sink)
+        return native.repair_design(design.with_parameters(harder), sink)
 
     return {
         "layout": lambda sink: native.solve_layout(V, F, NONE, p, sink),
         "cuts": lambda sink: native.suggest_cuts(V, F, NONE, p, 1, [], sink),
-        "verify": lambda sink: native.verify_design(design, None, sink),
-        "settle": lambda sink: native.settle_design(design, None, sink),
+        "verify": lambda sink: native.verify_design(design, sink),
+        "settle": lambda sink: native.settle_design(design, sink),
         "actuate": lambda sink: native.actuate_design(design, sink),
         "repair": repair,
         "print model": lambda sink: native.make_print_model(design, sink),

@@ -131,6 +131,7 @@ StepReport ContactWorld::step() {
   report.residual = largest_motion(g) / unit;
   if (report.residual <= std::max(pace.tolerance, rounding_ / unit)) {
     report.at_rest = report.converged = true;
+    if (stuck_poses_.empty()) stuck_poses_ = poses_;
     return report;
   }
   if (weight_ < 0) weight_ = pace.first_weight * unit / pace.step_limit;
