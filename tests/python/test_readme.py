@@ -18,6 +18,7 @@ def commands(page):
     return [line for block in blocks for line in block.splitlines() if line.strip()]
 
 
+@pytest.mark.all
 @pytest.mark.parametrize("page", ["README.md", "CONTRIBUTING.md"])
 def test_commands(page, tmp_path):
     """As on a fresh home, but for what was compiled before."""

@@ -14,6 +14,8 @@ sys.path.insert(0, str(ROOT / "tools"))
 
 from read_back import read_back  # noqa: E402
 
+pytestmark = pytest.mark.all
+
 NORMAL = {"half-sphere": ["L=7.5"], "hyperboloid": [], "ellipsoid-cap": [], "cylinder-patch": []}
 SMALL = {
     "mask": ["L=22"],  # two holes, which its slab has as well; bumps
