@@ -175,7 +175,7 @@ def test_bounds_that_gave_way_are_told_and_a_printer_that_cannot_make_them_is_a_
     assert figures.report()["relaxed"] == list(given)
     said = [entry for entry in map(Finding.entry, figures.warnings()) if entry["kind"] == "relaxed"]
     assert [entry["tiles"] for entry in said] == [[2], [4, 7]]
-    assert "from 0.6 to 0.35 mm at the back of T00005" in said[1]["what"] and "2 edges" in said[1]["what"]
+    assert "from 0.6 mm to 0.35 mm at the back of T00005" in said[1]["what"] and "2 edges" in said[1]["what"]
     fdm, polyjet = (solids.too_thin(given, solids.read_printer(name)) for name in ("fdm", "polyjet"))
     assert polyjet == () and len(fdm) == 1 and "T00005" in str(fdm[0]) and fdm[0].tiles == (4,)
 
@@ -184,7 +184,7 @@ def test_interfaces_that_were_shortened_and_gaps_that_bumps_narrow_are_told():
     figures = Figures(1, 0, {}, (), (), (), None, shortened=((3, 90),), flat_gap=(0.45, 0.6))
     told = {found.group: found.entry() for found in figures.warnings()}
     assert told["shortened"]["tiles"] == [3, 90] and "T00004-T00091" in told["shortened"]["what"]
-    assert "0.45 of 0.6 mm" in told["flat_gap"]["what"]
+    assert "0.45 mm of 0.6 mm" in told["flat_gap"]["what"]
     assert Figures(1, 0, {}, (), (), (), None, flat_gap=(0.6, 0.6)).warnings() == []
 
 
