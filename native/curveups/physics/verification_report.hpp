@@ -82,7 +82,7 @@ struct VerificationReport {
   Eigen::VectorXd
       tile_normal_min;  // least normal force at each tile's points; NaN without contacts
   Wrenches elastic;     // M x 6, of the membranes
-  MembranePicture membrane[2];
+  std::array<MembranePicture, 2> membrane;
 };
 
 }  // namespace curveups
