@@ -81,7 +81,7 @@ def by_name(name):
 def test_every_parameter(dome_document, elsewhere):
     path = str(dome_document)
     expected, (found, with_solver) = asked(path), said(path)
-    assert with_solver and len(expected) > 50
+    assert with_solver and len(expected) > 40
     for name, parts in expected.items():
         assert found[name] == parts, name
     for home, window in (("no native", False), ("workbench", True)):
