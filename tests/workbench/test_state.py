@@ -96,14 +96,14 @@ def test_an_edit_of_each_tier(dome_document, tmp_path, name, value, command, par
 
 def test_what_concerns_settling_alone_leaves_valid_as_it_is(dome_document, tmp_path):
     document, design = opened(dome_document)
-    assert design.SettledDeviation > 0 and design.HoldingFriction > 0 and design.LargestSlip >= 0
-    for name, value in (("HoldTolerance", "0.5 mm"), ("TileModulus", "3000 MPa"), ("MarginMismatch", 5)):
+    assert design.SettledDeviation > 0 and design.LargestSlip >= 0
+    for name, value in (("HoldTolerance", "0.5 mm"), ("MarginMismatch", 5)):
         before = getattr(design, name)
         setattr(design, name, value)
         assert (design.Verdict, design.Holds) == ("valid", "not settled"), name
         setattr(design, name, before)
         check_judged(design)
-    design.TileModulus = "3000 MPa"
+    design.HoldTolerance = "0.5 mm"
     document, design = reopened(document, tmp_path / "copy.FCStd")
     assert (design.Verdict, design.Holds) == ("valid", "not settled")
     actions.verify(design)
