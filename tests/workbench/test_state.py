@@ -227,7 +227,7 @@ def test_sources_that_are_none_change_nothing(document, tmp_path):
     line = document.addObject("Part::Feature", "Line")
     line.Shape = Part.makeLine(FreeCAD.Vector(), FreeCAD.Vector(1, 0, 0))
     for source, word in ((folder + "/nothing.stl", "no such"), (folder, "no file"), (line, "no surface"),
-                         (folder + "/text.txt", "format"), ("a" * 5000, ""), ("bad" + chr(0), "")):
+                         (folder + "/text.txt", "format")):
         assert word in refused(documents.new_design, document, source)
         assert [obj.Name for obj in document.Objects] == ["Line"]
 
