@@ -6,6 +6,7 @@
 #include "curveups/bodies/convex_distance.hpp"
 #include "curveups/bodies/joint_holes.hpp"
 #include "curveups/core/errors.hpp"
+#include "curveups/design/print_constants.hpp"
 #include "curveups/fabrication/print_model.hpp"
 #include "curveups/geometry/convex_polygon.hpp"
 #include "support/designs.hpp"
@@ -71,7 +72,7 @@ TEST_P(JointHolesOf, PiecesAreSoundAndLackTheHolesVolume) {
       std::size_t holes = 0;
       for (std::size_t i = 0; i < model.tiles.size(); ++i) {
         const std::size_t own = model.joints.of_tile[i].size();
-        const double less = own * M_PI * 0.35 * 0.35 * p.H_body;
+        const double less = own * 0.25 * M_PI * joint_hole * joint_hole * p.H_body;
         EXPECT_NEAR(volume(model.tiles[i]), volume(without.tiles[i]) - less, 1e-9);
         EXPECT_NEAR(volume(model.actuated[i]), volume(without.actuated[i]) - less, 1e-9);
         EXPECT_EQ(without.tiles[i].cylinders.size(), 0u);
