@@ -46,7 +46,7 @@ struct Pace {
     Pace pace;
     pace.together = 2;
     pace.lone_drag = 1;
-    pace.iterations = pace.most_iterations = 200;
+    pace.iterations = pace.most_iterations = 30;
     pace.share_left = 0;
     pace.tolerance = 1e-7;
     pace.projected = false;
