@@ -50,7 +50,7 @@ class Finding(Value):
 
     @classmethod
     def read(cls, data: Any) -> "Finding":
-        """Of what `data` gave. Raises what damaged data raises: LookupError, TypeError, ValueError."""
+        """Finding read from what `data` gave. Raises LookupError, TypeError or ValueError where damaged."""
         return cls(str(data["kind"]), tuple(map(int, data["tiles"])),
                    {str(name): _read(figure) for name, figure in dict(data["figures"]).items()})
 

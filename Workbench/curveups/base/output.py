@@ -79,7 +79,7 @@ class Folder:
                                     NOT_WRITTEN) from error
 
     def holds(self, name: str, text: str) -> bool:
-        """Whether a file with exactly this content exists."""
+        """True where a file with exactly this content exists."""
         try:
             return (self.path / name).read_bytes() == text.encode("utf-8")
         except OSError:
@@ -124,5 +124,5 @@ class Folder:
 
 
 def _passes(error: Exception) -> bool:
-    """Whether an error needs no other words: of ours, or a stop (the native module's is Cancelled)."""
+    """True for errors that need no other words: our own, and a stop (Cancelled in the native module)."""
     return isinstance(error, (CurveUpsError, Stopped)) or type(error).__name__ == "Cancelled"

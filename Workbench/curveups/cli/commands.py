@@ -33,7 +33,7 @@ from ..stages.surface import find_source
 
 @dataclass
 class Session:
-    """What commands share: where progress goes, which may also stop them."""
+    """Session of a command: where progress goes, and what may stop it."""
 
     reporter: Reporter
 

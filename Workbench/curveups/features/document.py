@@ -67,7 +67,7 @@ def design_with_results(document: Any, results: Results) -> Any:
 
 @dataclass(frozen=True)
 class Stored:
-    """What a document stores of results: `made`, as it is read from `text`, and whether a new layout is among
+    """Results as a document stores them: `made`, as read from `text`, and whether a new layout is among
     them."""
 
     made: Mapping[str, Made]
@@ -76,7 +76,7 @@ class Stored:
 
 
 def to_store(before: Project, results: Results) -> Stored:
-    """What a document that holds `before` (live.stored) stores of a run's results; for any thread."""
+    """Results of a run to store in a document that holds `before` (live.stored); for any thread."""
     finished = before.latest("design")
     solved = "design" in results and (finished is None or "layout" in results)
     made = {**before.given(), **before.made()}

@@ -88,7 +88,7 @@ def tip_of(row: Any) -> str:
 
 
 def lacks_parameters(obj: Any) -> bool:
-    """Whether there are parameters that `obj` has no property for: it is new."""
+    """True where `obj` lacks the property of a parameter: it is new."""
     return any(property_name(row.name) not in obj.PropertiesList for row in rows())
 
 

@@ -33,7 +33,7 @@ class Proxy:
         self.ready = True
 
     def add_properties(self, obj: Any) -> None:
-        """Those that `obj` lacks: all of a new object."""
+        """Add the properties that `obj` lacks: all of them for a new object."""
 
     def execute(self, obj: Any) -> None:
         """Results are kept, not computed: commands make them."""

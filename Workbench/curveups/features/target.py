@@ -39,7 +39,7 @@ def make_target(obj: Any) -> None:
 
 
 def is_target(obj: Any) -> bool:
-    """Whether this is a Target, which knows its source."""
+    """True for a Target, which knows its source."""
     return obj is not None and type_of(obj) == TYPE
 
 

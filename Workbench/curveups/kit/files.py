@@ -53,7 +53,7 @@ def goals() -> tuple[str, ...]:
 
 
 def make(project: Project, job: Job) -> Results:
-    """What a kit is made from. Where the design is not known to be valid, solids and files say so."""
+    """Results that a kit is made from. Solids and files say so where the design is not known to be valid."""
     results = project.run(goals(), job, strict=True)
     if results.verdict.valid or results.stopped:
         return results
@@ -113,8 +113,8 @@ def write_kit(results: Results, path: Path, job: Job, order: Order = Order()) ->
 
 
 def _print_files(kit: Kit) -> dict[str, Callable[[], bytes]]:
-    """What makes each file that the shop prints, by its name: the whole, and each bed if there are several;
-    the print on bridges as closed shells as well."""
+    """Makers of the files that the shop prints, by name: the whole, each bed if there are several, and the
+    print on bridges as closed shells."""
     found: dict[str, Callable[[], bytes]] = {
         name: partial(kit.written, kit.model, ending, kind)
         for (kind, ending), name in kit.names.items()}

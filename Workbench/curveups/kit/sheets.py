@@ -15,7 +15,7 @@ Make = Callable[[], bytes]
 
 
 def files(kit: Kit) -> dict[str, Make]:
-    """What makes each file, by its name. The order comes first: it lists the files before it."""
+    """Makers of sheets, by the names of their files. The order comes first: it lists the files before it."""
     sides = ("front", "back")
     made: dict[str, Make] = {"shop.pdf": partial(shop_sheet.make, kit)}
     for side in sides:

@@ -51,7 +51,7 @@ class SizeChoice:
     tried: tuple[Tried, ...] = ()
 
     def findings(self) -> list[Finding]:
-        """What was tried, and whether none of it is valid."""
+        """Warnings that list the sizes tried, and say where none is valid."""
         return [*(one.finding for one in self.tried), *(() if self.valid else (Finding("tried.none"),))]
 
 

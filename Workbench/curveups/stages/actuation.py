@@ -54,7 +54,7 @@ class Actuation(Result):
 
     @property
     def is_known(self) -> bool:
-        """Whether the piece comes to rest in all three states."""
+        """True where the piece comes to rest in all three states."""
         return len(self.states) == len(STATES) and all(one["converged"] for one in self.states.values())
 
     @property
@@ -73,7 +73,7 @@ class Actuation(Result):
         return {"actuation": self.block}
 
     def findings(self) -> list[Finding]:
-        """What is to be said of each state."""
+        """Findings of each state."""
         return findings(self.block)
 
     def warnings(self) -> Sequence[Finding]:
@@ -94,7 +94,7 @@ def states(block: Mapping[str, Any]) -> dict[str, Mapping[str, Any]]:
 
 
 def findings(block: Mapping[str, Any]) -> list[Finding]:
-    """What a block says."""
+    """Findings of a report block."""
     said = [_of_state(name, state, block["contacts"]) for name, state in states(block).items()]
     return said + ([Finding("actuation_stopped")] if block["stopped"] else [])
 

@@ -41,12 +41,12 @@ class Limits(Result):
 
 
 def unhindered(found: Feasibility) -> bool:
-    """Whether nothing that depends on sizes is in the way: closed surfaces stay closed."""
+    """True where no obstacle depends on sizes: closed surfaces stay closed."""
     return all(one.obstacle == "closed" for one in found.blocked)
 
 
 def can_remesh(target: Any, cuts: CutRequest) -> bool:
-    """Whether a target may have another L: cuts by number are of one mesh alone."""
+    """True where a target may have another L: cuts by number belong to one mesh alone."""
     return target.own_length is None and not len(cuts.edges)
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What went wrong, in one line where the user looks: a panel that is open, else a notice over the window that
-waits for nobody; and the report view. Names of tiles in it select them."""
+"""Errors in one line where the user looks: an open panel, else a notice over the window, and the report view.
+A click on a tile's name selects the tile."""
 
 from __future__ import annotations
 

@@ -45,8 +45,8 @@ double mean_distance(const Poses& from, const Poses& to, int count) {
   return sum / std::max(count, 1);
 }
 
-// Of the frames from `first` on about half of `most`, where there are more, evenly by the way of
-// the tiles.
+// Thins the frames from `first` on to about half of `most` where there are more, evenly by the way
+// of the tiles.
 void thin_out(std::vector<PathFrame>& frames, std::size_t first, int most) {
   if (frames.size() <= first + most) return;
   const double begin = frames[first].moved, whole = frames.back().moved - begin;

@@ -28,7 +28,8 @@ void each_seen(Pairs& pairs, const Poses& poses, const Visit& visit) {
   }
 }
 
-// Of a tangential spring that is stretched by so much: its energy and its force.
+// Friction potential (Huber) of a tangential spring with a capped force, at this stretch, and its
+// derivative below.
 double friction_potential(const Touch& touch, double stretch) {
   const double k = touch.tangent_stiffness, c = touch.cap;
   return k * stretch <= c ? 0.5 * k * stretch * stretch : c * (stretch - 0.5 * c / k);

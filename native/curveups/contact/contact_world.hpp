@@ -29,7 +29,7 @@ struct Pace {
   double largest_turn = 0.5;  // of a body in an iteration, rad
   double lone_drag = 0.03;    // as Drag has it
   double first_weight = 1;    // w of the first step, over the unit of forces a step_limit
-  // Of Newton's method, a step, and where it would store more energy than before: then it goes on.
+  // Newton iterations of a step, and at most so many where it would store more energy than before.
   int iterations = 3, most_iterations = 12;
   // A step ends where it leaves this share of the forces that it began with, or forces within the
   // tolerance, which is also that of rest. In the unit of forces.
@@ -41,7 +41,7 @@ struct Pace {
   bool sticks_first = false;
   SearchOptions search;
 
-  // Of bodies that settle.
+  // Pace of bodies that settle.
   static Pace settling() {
     Pace pace;
     pace.together = 2;
@@ -95,7 +95,7 @@ class ContactWorld {
   StepReport settle(int max_steps, const std::function<bool(const StepReport&)>& enough = {});
 
   const Poses& poses() const { return poses_; }
-  // Where nothing has slipped yet (Pace::sticks_first): bodies and membranes have given way alone.
+  // Poses before anything slips (Pace::sticks_first): bodies and membranes have given way alone.
   const Poses& stuck_poses() const { return stuck_poses_; }
   double energy() const { return value(poses_); }  // N mm, as steps report it
   const std::vector<RigidBody>& bodies() const { return bodies_; }

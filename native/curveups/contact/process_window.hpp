@@ -13,8 +13,7 @@
 
 namespace curveups {
 
-// Where one search ends: at the last sample that holds, and with what fails at the next one, if any
-// does.
+// End of one search: the last sample that holds, and the failure at the next one, if any.
 struct WindowEnd {
   double value = 0;
   std::optional<Finding> failure;
@@ -27,7 +26,7 @@ struct WindowRange {
   std::array<WindowEnd, 2> end;
 };
 
-// What fails where each side's membrane pulls this many times as hard, at this friction.
+// Failure where each side's membrane pulls this many times as hard, at this friction.
 using WindowSample =
     std::function<std::optional<Finding>(const std::array<double, 2>& pull, double friction)>;
 

@@ -12,8 +12,8 @@ namespace curveups {
 // where surfaces are smooth.
 inline constexpr double sample_step = 1.0 / 8;
 
-// Of a sample of the mesh's faces from the surface, mm; vertices without a face don't count. The
-// same whatever the threads. Throws what ClosestPoints throws of the surface, Cancelled.
+// Largest distance of samples of the mesh's faces from the surface, mm; vertices without a face
+// don't count. The same with any number of threads. Throws what ClosestPoints throws, Cancelled.
 double largest_distance(const TriangleMesh& mesh, const TriangleMesh& surface);
 
 struct Deviation {

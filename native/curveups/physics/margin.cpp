@@ -20,7 +20,7 @@ Wrenches scaled_loads(const SolvedDesign& solved, const Points3& centres, int si
   return solved.loads + (factor - 1) * extrapolate<Wrenches>(fine, coarse);
 }
 
-// What of the verdict on pushing forces fails.
+// Failure of the verdict on pushing forces, if any.
 std::optional<Finding> failure_of(const UnilateralResult& result, const BalanceSystem& system,
                                   double f_min, double scale) {
   if (result.solve.status == SolveStatus::unfinished) return Finding{"margin.unknown"};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Whether a design would still hold with other sheets and less friction. The forces of a membrane
+// Margin of a design: pushing forces with other sheets and less friction. The forces of a membrane
 // are proportional to its thickness and modulus, so that the corners of the margin are two cone
 // programs at loads that are known (unilateral.hpp). More friction only widens the cones.
 #pragma once
@@ -16,11 +16,11 @@ namespace curveups {
 struct Margin {
   std::string mode = "off";
   double mismatch = 0, friction_coefficient = 0;  // %, as asked
-  // Whether pushing forces of f_min within friction exist at both corners; none where that was not
-  // asked or could not be shown.
+  // True where pushing forces of f_min within friction exist at both corners; without a value where
+  // that was not asked or could not be shown.
   std::optional<bool> met;
   std::array<double, 2> largest_floor{};  // N, as UnilateralResult has it
-  // What fails with the front pulling harder, and with the back.
+  // Failures with the front pulling harder, and with the back.
   std::array<std::optional<Finding>, 2> failure;
 };
 

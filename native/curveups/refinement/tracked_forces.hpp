@@ -56,7 +56,7 @@ class TrackedForces {
   Progress progress_;
   double f_min_ratio_;
   std::unique_ptr<DesignForces> forces_;
-  // What the fresh mesh gave beyond the moving one: normal forces and floor, N.
+  // Difference of the fresh mesh from the moving one: normal forces and floor, N.
   Eigen::VectorXd correction_;
   double floor_correction_ = 0;
   bool active_ = false;  // whether the floor is a part of judgements

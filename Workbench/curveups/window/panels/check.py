@@ -235,8 +235,7 @@ def choose_sizes(design: Any, names: tuple[str, ...], told: Any = None) -> None:
 
 
 def sizes_to_use(name: str, found: Results) -> dict[str, float]:
-    """What the button of L or H_body offers where something is in the way of the sizes that are set: the
-    limit that is nearest."""
+    """Nearest limit of L and of H_body, which their buttons offer where the sizes set are not feasible."""
     if "sizes" not in found or found["feasibility"].feasible:
         return {}
     sizes = found["sizes"]

@@ -61,7 +61,7 @@ _SHAPES: dict[str, tuple[str, tuple[str, ...], str]] = {
 
 
 class ShapeView(View):
-    """Of Target, Tiles, Support and Anchors, which FreeCAD draws by itself."""
+    """View of Target, Tiles, Support and Anchors, which FreeCAD draws by itself."""
 
     def attach(self, view: Any) -> None:
         super().attach(view)
