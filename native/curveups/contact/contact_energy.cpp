@@ -28,6 +28,16 @@ void each_seen(Pairs& pairs, const Poses& poses, const Visit& visit) {
   }
 }
 
+// Motion of the touch's point as the other body sees it, along small motions of the pair.
+Vec3 seen_motion(const Poses& poses, const TouchingPair& pair, const Touch& touch, double lever,
+                 const Motions& motions) {
+  const int a = pair.body[touch.of], b = pair.body[1 - touch.of];
+  const Vec3 arm = poses[a].R * touch.point, r = arm + poses[a].t - poses[b].t;
+  const Vec3 shift = (motions.row(a) - motions.row(b)).head<3>(),
+             turn_a = motions.row(a).tail<3>() / lever, turn_b = motions.row(b).tail<3>() / lever;
+  return poses[b].R.transpose() * (shift + turn_a.cross(arm) - turn_b.cross(r));
+}
+
 // Friction potential (Huber) of a tangential spring with a capped force, at this stretch, and its
 // derivative below.
 double friction_potential(const Touch& touch, double stretch) {
@@ -125,6 +135,38 @@ double ContactEnergy::derivatives(const Poses& poses, double lever, Motions& gra
 void ContactEnergy::lag_friction(const Poses& poses) {
   each_seen(pairs, poses,
             [&](Touch& touch, const Vec3& y) { touch.cap = friction_coefficient * touch.push(y); });
+}
+
+void ContactEnergy::predict_friction(const Poses& poses, double lever, const Motions& motions) {
+  for (TouchingPair& pair : pairs) {
+    for (Touch& touch : pair.touches) {
+      const Vec3 y = seen(poses, pair, touch);
+      touch.cap =
+          friction_coefficient * touch.push(y + seen_motion(poses, pair, touch, lever, motions));
+    }
+  }
+}
+
+Motions ContactEnergy::cap_derivatives(const Poses& poses, double lever,
+                                       const Motions& motions) const {
+  Motions out = Motions::Zero(poses.size(), 6);
+  MotionDerivatives<2> change;
+  for (const TouchingPair& pair : pairs) {
+    change.clear(false);
+    for (const Touch& touch : pair.touches) {
+      const Vec3 y = seen(poses, pair, touch);
+      const Vec2 u = touch.reach(y);
+      const double stretch = u.norm();
+      if (touch.gap(y) > 0 || touch.tangent_stiffness * stretch <= touch.cap) continue;
+      const double cap = -friction_coefficient * touch.stiffness *
+                         touch.normal.dot(seen_motion(poses, pair, touch, lever, motions));
+      add_seen_point(poses, pair.body, touch.of, 1 - touch.of, touch.point,
+                     touch.tangents * (cap / stretch * u), Eigen::Matrix3d::Zero(), lever, nullptr,
+                     change);
+    }
+    change.add_to(pair.body, out, nullptr, -1);
+  }
+  return out;
 }
 
 void ContactEnergy::stick(const Poses& poses) {

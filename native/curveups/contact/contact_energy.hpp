@@ -41,6 +41,11 @@ class ContactEnergy : public MotionEnergy {
 
   // Sets the caps to mu times the normal forces at these poses.
   void lag_friction(const Poses& poses);
+  // Sets the caps to mu times the normal forces after small motions, to first order.
+  void predict_friction(const Poses& poses, double lever, const Motions& motions);
+  // Change of the gradient along small motions where points slip, as caps follow normal forces: the
+  // part of the derivatives of Coulomb's law that is not symmetric.
+  Motions cap_derivatives(const Poses& poses, double lever, const Motions& motions) const;
   // Lets points that touch at these poses stick however hard they are pulled, and all others slide.
   void stick(const Poses& poses);
   // Has corners clipped anew in the next search.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // One step of bodies in contact: a damped Newton method.
+#include <Eigen/IterativeLinearSolvers>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,8 +13,12 @@
 namespace curveups {
 namespace {
 
-// Part of Newton's step that is taken at least where caps that follow normal forces overshoot.
-constexpr double least_damping = 1.0 / 16;
+// Caps follow once the residual under them is this share of what it was when they were set: the
+// fixed-point iteration alone then converges, or a Newton step on the caps does.
+constexpr double inner_share = 0.1;
+// Krylov iterations of a Newton step on the caps, and their relative residual.
+constexpr int most_cap_iterations = 20;
+constexpr double cap_tolerance = 1e-3;
 
 // How far bodies go, in step limits: those beside one another by `apart` against one another, each
 // body by its own motion.
@@ -65,8 +70,34 @@ Motions ContactWorld::newton_step(const Motions& gradient) const {
   return Eigen::Map<const Motions>(solved.data(), gradient.rows(), 6);
 }
 
-// Moves x from the step's beginning towards its minimum. stuck: under the caps as they are, else
-// under caps that follow the normal forces.
+// One Newton step on c = mu N(c), the fixed point of the friction caps c: sets them to those after
+// the step d with (H + C) d = -gradient, C being the derivatives by caps that follow the normal
+// forces. way: H^-1 (-gradient), by the factorization of H, which is the preconditioner.
+void ContactWorld::predict_caps(const Poses& x, const Motions& way) {
+  struct Operator {
+    const ContactWorld& world;
+    const Poses& x;
+    Eigen::Index cols() const { return static_cast<Eigen::Index>(6 * x.size()); }
+    Eigen::VectorXd operator*(const Eigen::VectorXd& z) const {
+      const Motions motions = Eigen::Map<const Motions>(z.data(), z.size() / 6, 6);
+      const Motions step = world.newton_step(
+          world.contacts_.cap_derivatives(x, world.options_.lever, motions));
+      return z - Eigen::Map<const Eigen::VectorXd>(step.data(), step.size());
+    }
+  };
+  const Eigen::VectorXd right = Eigen::Map<const Eigen::VectorXd>(way.data(), way.size());
+  Eigen::VectorXd step = right;
+  Eigen::Index iterations = most_cap_iterations;
+  double tolerance = cap_tolerance;
+  Eigen::internal::bicgstab(Operator{*this, x}, right, step, Eigen::IdentityPreconditioner(),
+                            iterations, tolerance);
+  contacts_.predict_friction(x, options_.lever,
+                             Eigen::Map<const Motions>(step.data(), way.rows(), 6));
+}
+
+// Moves x from the step's beginning towards its minimum. stuck: under the caps as they are. Else
+// caps are lagged: they stay until x is about at the minimum under them, and then follow by Newton
+// steps on c = mu N(c), for as long as these lower the residual.
 void ContactWorld::descend(const Drag& drag, double unit, bool stuck, Poses& x,
                            StepReport& report) {
   const Pace& pace = options_.pace;
@@ -79,33 +110,47 @@ void ContactWorld::descend(const Drag& drag, double unit, bool stuck, Poses& x,
     return value(x) - contacts_.friction_work(x) > report.before + blur;
   };
   int shortened = 0;
-  double damping = 1, before = std::numeric_limits<double>::infinity();
+  double lagged_residual = 0;  // when caps were last set to mu times the normal forces
+  bool lag = !stuck;           // caps are set before the next evaluation
   for (int iteration = 0;; ++iteration) {
-    if (!stuck) contacts_.lag_friction(x);
-    bool projected = pace.projected;
     const bool last =
         iteration >= pace.most_iterations || (iteration >= pace.iterations && !stores_more());
+    bool projected = pace.projected;
     Motions g;
-    BlockMatrix<6>* matrix = last ? nullptr : hessian_.get();
-    if (matrix) matrix->set_zero();
-    const MotionHessian second{matrix, 0, projected};
-    const double now = derivatives(x, g, matrix, projected) +
-                       drag.derivatives(x, weight_, g, matrix ? &second : nullptr);
-    const double left = largest_motion(g);
-    report.converged = left <= goal;
-    if (left <= (1 - 0.5 * damping) * before) {
-      damping = std::min(2 * damping, 1.0);
-    } else if (left > before && !stuck) {
-      damping = std::max(0.5 * damping, least_damping);
+    double now = 0, left = 0;
+    auto evaluate = [&] {
+      BlockMatrix<6>* matrix = last ? nullptr : hessian_.get();
+      if (matrix) matrix->set_zero();
+      const MotionHessian second{matrix, 0, projected};
+      now = derivatives(x, g, matrix, projected) +
+            drag.derivatives(x, weight_, g, matrix ? &second : nullptr);
+      left = largest_motion(g);
+    };
+    if (lag) contacts_.lag_friction(x);
+    evaluate();
+    const bool minimised = !stuck && !lag && (last || left <= inner_share * lagged_residual);
+    if (minimised) {
+      contacts_.lag_friction(x);
+      evaluate();
+      lag = true;
     }
-    before = left;
+    report.converged = (stuck || lag) && left <= goal;
     if (last || ((report.converged || stride(drag, x) > 1) && !stores_more())) break;
+    // Where a Newton step on the caps made things worse, they stay until x is at the minimum again.
+    const bool predicts = lag && iteration > 0 && (minimised || left < lagged_residual);
+    if (lag) lagged_residual = left;
     ++report.iterations;
     factorize(x, drag, projected, report);
-    const Motions way = newton_step(g);
+    Motions way = newton_step(g);
+    if (predicts) {
+      predict_caps(x, way);
+      now = derivatives(x, g, nullptr, projected) + drag.derivatives(x, weight_, g, nullptr);
+      way = newton_step(g);
+    }
+    lag = predicts;
     const double slope = g.cwiseProduct(way).sum(), blur = 1e-12 * (std::abs(now) + unit * lever);
-    double part = std::min(damping, 1 / std::max(stride(drag, x, way), 1e-300));
-    shortened += part < damping;
+    double part = std::min(1.0, 1 / std::max(stride(drag, x, way), 1e-300));
+    shortened += part < 1;
     Poses next = moved(x, part * way, lever);
     for (int halved = 0; halved < 30; ++halved, ++shortened) {
       const bool falls =

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Rigid bodies in contact under given energies, step by step. A step minimises
 //   E(x) + contacts(x; c) + drag(x; x0, w)
-// by Newton's method on one sparse pattern, with friction caps c that follow the normal forces from
-// iteration to iteration, and remembers where friction stuck. It is an implicit Euler step of h =
+// by Newton's method on one sparse pattern, with friction caps c that are mu times the normal forces
+// at its end, and remembers where friction stuck. It is an implicit Euler step of h =
 // 1 / w under a drag of w (E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, 1996,
 // IV.7). What comes to rest is at rest under E and Coulomb's law alone.
 //
@@ -117,6 +117,7 @@ class ContactWorld {
   double force_unit() const;
   void factorize(const Poses& x, const Drag& drag, bool& projected, StepReport& report);
   Motions newton_step(const Motions& gradient) const;
+  void predict_caps(const Poses& x, const Motions& way);
   void descend(const Drag& drag, double unit, bool stuck, Poses& x, StepReport& report);
 
   std::vector<RigidBody> bodies_;

@@ -173,6 +173,33 @@ TEST(MotionEnergy, PositiveTurnCurvatureLacksTheNegativeEigenvalues) {
   }
 }
 
+// Against differences of the gradient, with caps that follow the normal forces and with caps that
+// stay.
+TEST(MotionEnergy, CapsThatFollowNormalForcesHaveExactDerivatives) {
+  Pressed pressed(Eigen::Matrix3d::Identity());
+  const double lever = 3, h = 1e-6;
+  auto gradient_at = [&](const Poses& poses) {
+    Motions gradient = Motions::Zero(poses.size(), 6);
+    pressed.energy.derivatives(poses, lever, gradient, nullptr);
+    return gradient;
+  };
+  pressed.energy.lag_friction(pressed.poses);
+  for (int round = 0; round < 4; ++round) {
+    const Motions d = Motions::Random(2, 6);
+    const Poses ahead = moved(pressed.poses, h * d, lever);
+    const Motions coupling = pressed.energy.cap_derivatives(pressed.poses, lever, d);
+    ASSERT_GT(coupling.norm(), 0);
+    const Motions fixed = gradient_at(ahead);
+    pressed.energy.predict_friction(pressed.poses, lever, h * d);
+    const Motions predicted = gradient_at(ahead);
+    pressed.energy.lag_friction(ahead);
+    const Motions followed = gradient_at(ahead);
+    pressed.energy.lag_friction(pressed.poses);
+    EXPECT_LT(((followed - fixed) / h - coupling).norm(), 1e-4 * coupling.norm());
+    EXPECT_LT((predicted - followed).norm(), 1e-4 * (followed - fixed).norm());
+  }
+}
+
 TEST(MotionEnergy, ContactDoesNotSeeAMotionOfAll) {
   const Pressed here(Eigen::Matrix3d::Identity());
   const Pressed there(Eigen::AngleAxisd(2, Vec3(1, -2, 3).normalized()).toRotationMatrix());
