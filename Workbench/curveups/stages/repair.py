@@ -54,7 +54,7 @@ def _run(inputs: Inputs, job: Job) -> Repair:
     if known.valid or known.note or known.failure or not inputs.parameters.get("run_repair"):
         return Repair(before, verified.verdict)
     design = before.with_parameters(inputs.parameters)
-    found = native.repair_design(design, job, job.listener("repair"))
+    found = native.repair_design(design, job, job.listener("repair"), known.solved)
     changed = design_digest(found.design) != design_digest(design)
     blocked: tuple[dict[str, Any], ...] = tuple(
         {"tiles": list(contact.tiles), "reason": Finding.of(contact.reason), "obstacle": contact.obstacle}

@@ -87,7 +87,7 @@ def _run(inputs: Inputs, job: Job) -> Settled:
     try:
         design = inputs["design"].design.with_parameters(values)
         with translated(inputs.where):
-            found = native.settle_design(design, job)
+            found = native.settle_design(design, job, inputs["verification"].solved)
     except CurveUpsError as error:  # however strict the run is: the verdict is known without
         return _failed(error, inputs)
     margin, failure = found.margin, _finding(found.failure)

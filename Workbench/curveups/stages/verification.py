@@ -31,6 +31,8 @@ class Verification(Result):
     design: Any = None               # native Design, for pictures
     arrays: Mapping[str, np.ndarray] = field(default_factory=dict)  # per contact and per tile
     membranes: tuple[Mapping[str, np.ndarray], ...] = ()  # front and back, for pictures
+    # Native SolvedDesign, which repair and settling start from; None in a result that was saved.
+    solved: Any = field(default=None, compare=False, metadata={"transient": True})
 
     @property
     def judged(self) -> bool:
@@ -112,7 +114,8 @@ def verification_of(found: Any, design: Any) -> Verification:
                   for side in found.membranes)
     return Verification(valid=found.valid, blocks=found.blocks, found=all_of(found.reasons),
                         warned=all_of(found.warnings), complete=found.complete, design=design,
-                        arrays={name: np.asarray(getattr(found, name)) for name in names}, membranes=sides)
+                        arrays={name: np.asarray(getattr(found, name)) for name in names}, membranes=sides,
+                        solved=found.solved)
 
 
 def _verify(design: Any, inputs: Inputs, job: Job, weak_is_enough: bool = False) -> Verification:

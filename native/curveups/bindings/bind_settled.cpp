@@ -73,13 +73,14 @@ void bind_settled(py::module_& module) {
       .def_readonly("factorizations", &SettledDesign::factorizations);
   module.def(
       "settle_design",
-      [](const Design& design, py::object progress) {
-        return without_gil(std::move(progress),
-                           [&](const Progress& sink) { return settle_design(design, sink); });
+      [](const Design& design, py::object progress, const SolvedPtr& solved) {
+        return without_gil(std::move(progress), [&](const Progress& sink) {
+          return settle_design(design, sink, solved);
+        });
       },
-      py::arg("design"), py::arg("progress") = py::none(),
+      py::arg("design"), py::arg("progress") = py::none(), py::arg("solved") = py::none(),
       "Lets the tiles of a design settle from where they stand when actuated, under its "
-      "parameters.");
+      "parameters. solved: VerificationReport.solved of the same tiles, pins and membranes.");
 }
 
 }  // namespace curveups::bindings

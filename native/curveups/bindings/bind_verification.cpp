@@ -111,6 +111,8 @@ void bind_verification(py::module_& module) {
       .def_readonly("triangles", &MembranePicture::triangles)
       .def_readonly("stretch", &MembranePicture::stretch, "Larger and smaller, per triangle.")
       .def_readonly("tension", &MembranePicture::tension, "0 taut, 1 wrinkled, 2 slack.");
+  py::class_<SolvedDesign, SolvedPtr>(module, "SolvedDesign",
+                                      "Membranes of a design at their equilibrium.");
   py::class_<VerificationReport>(module, "VerificationReport",
                                  "The physical model and its verdict.")
       .def_readonly("valid", &VerificationReport::valid)
@@ -118,6 +120,12 @@ void bind_verification(py::module_& module) {
                     "Whether there is a verdict: not where weak points were enough.")
       .def_readonly("reasons", &VerificationReport::reasons)
       .def_readonly("warnings", &VerificationReport::warnings)
+      .def_property_readonly(
+          "solved",
+          [](const VerificationReport& report) {
+            return std::const_pointer_cast<SolvedDesign>(report.solved);
+          },
+          "For repair_design and settle_design; None where nothing could be computed.")
       .def_property_readonly("blocks", &blocks, "physics, contact_forces, unilateral, glue.")
       .def_property_readonly("contact_tiles", array(&VerificationReport::contact_tiles),
                              "K x 2: the tiles of every contact.")
@@ -178,19 +186,20 @@ void bind_verification(py::module_& module) {
       .def_readonly("verification", &RepairResult::verification, "Of a valid result; or None.");
   module.def(
       "repair_design",
-      [](const Design& design, py::object progress, py::object on_step) {
+      [](const Design& design, py::object progress, py::object on_step, const SolvedPtr& solved) {
         PythonListener listener(std::move(on_step));
         const PythonListener::Function function = listener.function();
         RepairResult result = without_gil(std::move(progress), [&](const Progress& sink) {
-          return repair_design(design, sink, function);
+          return repair_design(design, sink, function, most_repair_steps, solved);
         });
         listener.rethrow();
         return result;
       },
       py::arg("design"), py::arg("progress") = py::none(), py::arg("on_step") = py::none(),
+      py::arg("solved") = py::none(),
       "Lifts contact forces above f_min by the least steps of poses, pins and, where these do not "
       "do, vertices. on_step(T, q, weak_points) gets every step and stops the work by returning "
-      "False.");
+      "False. solved: VerificationReport.solved of the same design.");
 }
 
 }  // namespace curveups::bindings

@@ -15,15 +15,20 @@
 
 #include <exception>
 #include <functional>
+#include <memory>
 #include <utility>
 
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/types.hpp"
+#include "curveups/physics/solved_design.hpp"
 
 namespace curveups::bindings {
 
 namespace py = pybind11;
+
+// Python holds what native code shares as const.
+using SolvedPtr = std::shared_ptr<SolvedDesign>;
 
 // Wraps a Python callable (or None) so that it can be called with the GIL released. What it raises
 // (KeyboardInterrupt above all) is kept and raised again when the native call has returned.

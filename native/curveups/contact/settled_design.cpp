@@ -44,11 +44,14 @@ void describe(const Settling& settling, const Design& design, SettledDesign& out
 
 }  // namespace
 
-SettledDesign settle_design(const Design& design, const Progress& progress) {
+SettledDesign settle_design(const Design& design, const Progress& progress,
+                            const SolvedHandle& solved_before) {
   const ProgressScope scope(progress);
   const Parameters& parameters = design.parameters;
   const TileBodies bodies = make_tile_bodies(design);
-  SolvedDesign solved = solve_design(bodies.geometry, design, progress);
+  SolvedDesign solved = solved_before ? *solved_before
+                                      : solve_design(bodies.geometry, design, progress);
+  solved.design = design;
   checkpoint("settle", 0);
   SettledDesign out;
   out.margin = find_margin(solved, bodies.geometry, progress);

@@ -12,6 +12,13 @@ DesignForces::DesignForces(const DesignGeometry& geometry, const Parameters& par
                            const Array6& q)
     : parameters_(parameters), poses_(poses), q_(q), membranes_(std::move(solved)) {
   take_geometry(geometry);
+  parallel_each(2, [&](int s) {
+    const SolvedMembrane& m = membranes_[s];
+    equilibria_[s] = std::make_unique<MembraneEquilibrium>(
+        m.mesh, vertex_positions(m.mesh.weights, m.flat_corners), parameters.tau,
+        membrane_material(parameters, static_cast<Side>(s)));
+    equilibria_[s]->factorize(m.state.x);
+  });
   solve_contacts();
 }
 
@@ -28,8 +35,10 @@ void DesignForces::move(const DesignGeometry& geometry, const FlatPoses& poses, 
   auto solve = [&](Side side, const Progress& sink) {
     SolvedMembrane& m = membranes_[static_cast<int>(side)];
     m.flat_corners = flat_pin_corners(geometry.tiles, poses, q, side);
-    m.equilibrium->set_rest(vertex_positions(m.mesh.weights, m.flat_corners), parameters_.tau);
-    move_pins(m, actuated_pin_corners(geometry.tiles, q, side, parameters_.H_pin), {}, sink);
+    MembraneEquilibrium& equilibrium = *equilibria_[static_cast<int>(side)];
+    equilibrium.set_rest(vertex_positions(m.mesh.weights, m.flat_corners), parameters_.tau);
+    move_pins(m, equilibrium, actuated_pin_corners(geometry.tiles, q, side, parameters_.H_pin),
+              sink);
   };
   // The progress sink is called from one thread only; the other membrane ends by itself.
   parallel_tasks({[&] { solve(Side::front, progress); }, [&] { solve(Side::back, {}); }});

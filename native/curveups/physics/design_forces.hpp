@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 
 #include "curveups/physics/solved_design.hpp"
@@ -29,6 +30,10 @@ class DesignForces {
   const FlatPoses& poses() const { return poses_; }
   const Array6& insets() const { return q_; }
   const SolvedMembrane& membrane(Side side) const { return membranes_[static_cast<int>(side)]; }
+  // Factorized at that membrane's state, or within the last step to it.
+  const MembraneEquilibrium& equilibrium(Side side) const {
+    return *equilibria_[static_cast<int>(side)];
+  }
   // Its factorization is that of A A^T.
   const BalanceSystem& system() const { return *system_; }
   const Wrenches& loads() const { return loads_; }
@@ -43,6 +48,7 @@ class DesignForces {
   FlatPoses poses_;
   Array6 q_;
   std::array<SolvedMembrane, 2> membranes_;
+  std::array<std::unique_ptr<MembraneEquilibrium>, 2> equilibria_;
   std::optional<BalanceSystem> system_;
   Wrenches loads_;
   ContactForces forces_;

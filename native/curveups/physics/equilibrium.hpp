@@ -29,7 +29,7 @@ struct MembraneState {
   SolveReport solve;
 };
 
-// Owns the Hessian's factorization: after solve() it is that of the last step, for sensitivities.
+// Owns the Hessian's factorization: after solve() it is that of the last step.
 class MembraneEquilibrium {
  public:
   MembraneEquilibrium(const MembraneMesh& mesh, const Points2& flat, double tau,
@@ -44,6 +44,11 @@ class MembraneEquilibrium {
   // Another rest shape of the same mesh (MembraneEnergy::set_rest); the factorization's ordering
   // stays.
   void set_rest(const Points2& flat, double tau) { energy_.set_rest(flat, tau); }
+  // Factorizes the Hessian at x, for respond(). False where it is not finite.
+  bool factorize(const Points3& x) {
+    Points3 gradient;
+    return factorize(x, gradient);
+  }
   // How free vertices follow displacements of glued ones, by the last factorization: fills in the
   // free rows of each displacement. x: the equilibrium.
   void respond(const Points3& x, std::vector<Points3>& displacements) const;

@@ -21,12 +21,17 @@ MembraneMaterial membrane_material(const Parameters& p, Side side) {
   return material;
 }
 
-bool move_pins(SolvedMembrane& m, const Points3& actuated_corners,
-               const EquilibriumOptions& options, const Progress& progress) {
+MembraneEquilibrium membrane_equilibrium(const MembraneMesh& mesh, const Points2& flat,
+                                         const Parameters& parameters, Side side) {
+  return MembraneEquilibrium(mesh, flat, parameters.tau, membrane_material(parameters, side));
+}
+
+bool move_pins(SolvedMembrane& m, MembraneEquilibrium& equilibrium,
+               const Points3& actuated_corners, const Progress& progress) {
   Points3 start = vertex_positions(m.mesh.weights, actuated_corners);
   start += m.state.x - vertex_positions(m.mesh.weights, m.actuated_corners);
   m.actuated_corners = actuated_corners;
-  m.state = m.equilibrium->solve(start, options, progress);
+  m.state = equilibrium.solve(start, {}, progress);
   // Rounding alone may keep a membrane from the last digits of its tolerance.
   return m.state.solve.residual < 1e-6;
 }
@@ -38,7 +43,6 @@ MembraneSolution solve_membrane(const DesignGeometry& geometry, const FlatPoses&
                                 const std::vector<int>& halvings, const Progress& progress) {
   const TileMesh& tiles = geometry.tiles;
   const std::string what = side == Side::front ? "front membrane" : "back membrane";
-  const MembraneMaterial material = membrane_material(parameters, side);
   const EquilibriumOptions options;
   MembraneSolution out;
   out.domain = make_membrane_domain(tiles, side);
@@ -49,18 +53,19 @@ MembraneSolution solve_membrane(const DesignGeometry& geometry, const FlatPoses&
   MembraneMeshOptions sizes = membrane_mesh_options(parameters);
   sizes.halvings = halvings;
   coarse.mesh = make_membrane_mesh(out.domain, coarse.flat_corners, sizes, progress);
-  coarse.equilibrium = std::make_unique<MembraneEquilibrium>(
-      coarse.mesh, vertex_positions(coarse.mesh.weights, coarse.flat_corners), parameters.tau,
-      material);
-  coarse.state = coarse.equilibrium->solve(
-      coarse.equilibrium->energy().harmonic(vertex_positions(coarse.mesh.weights, out.pin_corners)),
-      options, progress, what);
+  {
+    MembraneEquilibrium equilibrium = membrane_equilibrium(
+        coarse.mesh, vertex_positions(coarse.mesh.weights, coarse.flat_corners), parameters, side);
+    coarse.state = equilibrium.solve(
+        equilibrium.energy().harmonic(vertex_positions(coarse.mesh.weights, out.pin_corners)),
+        options, progress, what);
+  }
   if (!keep_going(progress, what)) throw Cancelled();
   out.coarse_forces = pin_corner_forces(coarse.mesh, coarse.state, tiles.tile_count());
 
   out.mesh = refine_mesh(coarse.mesh);
   out.flat = vertex_positions(out.mesh.weights, coarse.flat_corners);
-  MembraneEquilibrium equilibrium(out.mesh, out.flat, parameters.tau, material);
+  MembraneEquilibrium equilibrium = membrane_equilibrium(out.mesh, out.flat, parameters, side);
   const Points3 glued = vertex_positions(out.mesh.weights, out.pin_corners);
   out.state = equilibrium.solve(prolong(out.mesh, coarse.state.x, glued), options, progress, what);
   if (!keep_going(progress, what)) throw Cancelled();
@@ -89,23 +94,23 @@ std::array<MembraneSolution, 2> solve_membranes(const DesignGeometry& geometry,
 
 bool move_pins(MembraneSolution& solution, const Points3& corners, const Parameters& parameters) {
   const int tiles = solution.domain.tile_count;
-  const EquilibriumOptions options;
-  if (!move_pins(solution.coarse, corners, options)) return false;
-  solution.coarse_forces = pin_corner_forces(solution.coarse.mesh, solution.coarse.state, tiles);
-  SolvedMembrane fine;
-  fine.mesh = std::move(solution.mesh);
-  fine.actuated_corners = std::move(solution.pin_corners);
-  fine.state = std::move(solution.state);
-  fine.equilibrium =
-      std::make_unique<MembraneEquilibrium>(fine.mesh, solution.flat, parameters.tau,
-                                            membrane_material(parameters, solution.domain.side));
-  const bool found = move_pins(fine, corners, options);
+  const Side side = solution.domain.side;
+  SolvedMembrane& coarse = solution.coarse;
+  MembraneEquilibrium rough = membrane_equilibrium(
+      coarse.mesh, vertex_positions(coarse.mesh.weights, coarse.flat_corners), parameters, side);
+  if (!move_pins(coarse, rough, corners)) return false;
+  solution.coarse_forces = pin_corner_forces(coarse.mesh, coarse.state, tiles);
+  SolvedMembrane fine{std::move(solution.mesh), {}, std::move(solution.pin_corners),
+                      std::move(solution.state)};
+  MembraneEquilibrium equilibrium =
+      membrane_equilibrium(fine.mesh, solution.flat, parameters, side);
+  const bool at_rest = move_pins(fine, equilibrium, corners);
   solution.forces = pin_corner_forces(fine.mesh, fine.state, tiles);
-  solution.stretch = fine.equilibrium->energy().stretches(fine.state.x);
+  solution.stretch = equilibrium.energy().stretches(fine.state.x);
   solution.mesh = std::move(fine.mesh);
   solution.pin_corners = std::move(fine.actuated_corners);
   solution.state = std::move(fine.state);
-  return found;
+  return at_rest;
 }
 
 }  // namespace curveups

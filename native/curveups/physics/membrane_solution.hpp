@@ -4,7 +4,6 @@
 #pragma once
 
 #include <array>
-#include <memory>
 
 #include "curveups/core/progress.hpp"
 #include "curveups/design/design.hpp"
@@ -20,19 +19,18 @@ Forces extrapolate(const Forces& fine, const Forces& coarse) {
   return 2 * fine - coarse;
 }
 
-// A membrane at its equilibrium on one mesh, ready to follow other poses and pins (DesignForces).
+// A membrane at its equilibrium on one mesh.
 struct SolvedMembrane {
   MembraneMesh mesh;
   Points2 flat_corners;      // 3 M pin corners in the layout ...
   Points3 actuated_corners;  // ... and in space
-  std::unique_ptr<MembraneEquilibrium> equilibrium;
   MembraneState state;
 };
 
-// Moves its pins in space; free vertices go along with the pins around them, then settle. Returns
-// whether they found their equilibrium.
-bool move_pins(SolvedMembrane& membrane, const Points3& actuated_corners,
-               const EquilibriumOptions& options, const Progress& progress = {});
+// Moves its pins in space; free vertices go along with the pins around them, then find their
+// equilibrium. equilibrium: of its mesh and rest shape. Returns whether they found it.
+bool move_pins(SolvedMembrane& membrane, MembraneEquilibrium& equilibrium,
+               const Points3& actuated_corners, const Progress& progress = {});
 
 struct MembraneSolution {
   MembraneDomain domain;
@@ -49,6 +47,9 @@ struct MembraneSolution {
 
 MembraneMeshOptions membrane_mesh_options(const Parameters& parameters);
 MembraneMaterial membrane_material(const Parameters& parameters, Side side);
+// Equilibrium problem of one side's membrane on its mesh. flat: the mesh's vertices in the layout.
+MembraneEquilibrium membrane_equilibrium(const MembraneMesh& mesh, const Points2& flat,
+                                         const Parameters& parameters, Side side);
 
 // Front and back, at once where there are threads; calls of progress come one at a time.
 // halvings: as MembraneMeshOptions have it. Throws what make_membrane_mesh throws, and Cancelled.

@@ -15,8 +15,10 @@ struct CornerGradient {
 };
 
 // z: virtual motions of the tiles (BalanceSystem::expand). Returns the derivatives of -z^T b.
-std::vector<CornerGradient> corner_gradients(const SolvedMembrane& membrane, const Points3& centres,
-                                             double lever, const std::vector<Array6>& motions) {
+std::vector<CornerGradient> corner_gradients(const SolvedMembrane& membrane,
+                                             const MembraneEquilibrium& equilibrium,
+                                             const Points3& centres, double lever,
+                                             const std::vector<Array6>& motions) {
   const MembraneMesh& mesh = membrane.mesh;
   const Points3 &x = membrane.state.x, &force = membrane.state.gradient;
   std::vector<Points3> displacement(motions.size(), Points3::Zero(x.rows(), 3));
@@ -30,10 +32,10 @@ std::vector<CornerGradient> corner_gradients(const SolvedMembrane& membrane, con
       displacement[k].row(v) = (shift + turn.cross(arm)).transpose();
     }
   }
-  membrane.equilibrium->respond(x, displacement);
+  equilibrium.respond(x, displacement);
   std::vector<Points3> by_position;
   std::vector<Points2> by_flat;
-  membrane.equilibrium->energy().second_derivatives(x, displacement, by_position, &by_flat);
+  equilibrium.energy().second_derivatives(x, displacement, by_position, &by_flat);
   std::vector<CornerGradient> out;
   for (std::size_t k = 0; k < motions.size(); ++k) {
     CornerGradient gradient{Points2::Zero(membrane.flat_corners.rows(), 2),
@@ -236,7 +238,8 @@ std::vector<ForceGradient> gradients_of(const DesignForces& forces,
     std::array<std::vector<CornerGradient>, 2> corners;
     auto solve = [&](Side side) {
       corners[static_cast<int>(side)] =
-          corner_gradients(forces.membrane(side), system.centres(), system.lever(), some);
+          corner_gradients(forces.membrane(side), forces.equilibrium(side), system.centres(),
+                           system.lever(), some);
     };
     parallel_tasks({[&] { solve(Side::front); }, [&] { solve(Side::back); }});
     for (std::size_t k = 0; k < some.size(); ++k) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "curveups/physics/clearance.hpp"
@@ -30,6 +31,9 @@ struct SolvedDesign {
   std::vector<int> halvings;
   double f_min_ratio = 0;  // f_min over the mean normal force: as asked, or the error where larger
 };
+
+// Solved once, and read by verification, repair and settling alike.
+using SolvedHandle = std::shared_ptr<const SolvedDesign>;
 
 // How much the least of the forces may be overestimated where each is uncertain by its own error:
 // min n - min (n - error). A least force of this size at least leaves every point pushing within

@@ -156,26 +156,28 @@ std::vector<std::array<int, 2>> crossing_sheets(const TileMesh& tiles, const Des
 VerificationReport verify_design(const Design& design, const Progress& progress,
                                  const VerificationOptions& options) {
   const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
-  std::optional<SolvedDesign> solved;
+  SolvedHandle solved;
   try {
-    solved = solve_design(geometry, design, progress);
+    solved = std::make_shared<const SolvedDesign>(solve_design(geometry, design, progress));
   } catch (const InfeasibleDesign& error) {
     VerificationReport report;
     report.reasons.push_back(
         {"not_laid_out", error.tiles(), {{"said", std::string(error.what())}}});
     return report;
   }
-  return verify_solved(geometry, *solved, progress, options);
+  return verify_solved(geometry, solved, progress, options);
 }
 
-VerificationReport verify_solved(const DesignGeometry& geometry, const SolvedDesign& solved,
+VerificationReport verify_solved(const DesignGeometry& geometry, const SolvedHandle& handle,
                                  const Progress& progress, const VerificationOptions& options) {
+  const SolvedDesign& solved = *handle;
   const Design& design = solved.design;
   const Parameters& parameters = design.parameters;
   const TileMesh& tiles = geometry.tiles;
   const BumpPlan plan = plan_bumps(geometry, fit_poses(tiles, design.T), parameters);
   VerificationReport report;
   report.computed = true;
+  report.solved = handle;
   report.elastic = solved.elastic;
   report.physics.normal_force_error = solved.normal_force_error;
   report.physics.largest_normal_force_error = solved.largest_normal_force_error;

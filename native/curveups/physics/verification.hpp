@@ -21,7 +21,7 @@ struct VerificationOptions {
 VerificationReport verify_design(const Design& design, const Progress& progress,
                                  const VerificationOptions& options = {});
 // The same of a design that is solved. Throws what plan_bumps throws, SolverFailure, Cancelled.
-VerificationReport verify_solved(const DesignGeometry& geometry, const SolvedDesign& solved,
+VerificationReport verify_solved(const DesignGeometry& geometry, const SolvedHandle& solved,
                                  const Progress& progress, const VerificationOptions& options = {});
 
 }  // namespace curveups

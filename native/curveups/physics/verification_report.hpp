@@ -8,7 +8,7 @@
 
 #include "curveups/core/finding.hpp"
 #include "curveups/physics/membrane_figures.hpp"
-#include "curveups/physics/unilateral.hpp"
+#include "curveups/physics/solved_design.hpp"
 
 namespace curveups {
 
@@ -82,6 +82,7 @@ struct VerificationReport {
   Eigen::VectorXd
       tile_normal_min;  // least normal force at each tile's points; NaN without contacts
   Wrenches elastic;     // M x 6, of the membranes
+  SolvedHandle solved;  // what all of this was read from
   std::array<MembranePicture, 2> membrane;
 };
 

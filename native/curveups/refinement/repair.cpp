@@ -43,7 +43,7 @@ std::vector<Finding> cuts_among(const std::vector<Touch>& touches) {
 class Repair {
  public:
   Repair(const Design& design, const Progress& progress, const RepairCallback& callback,
-         int max_steps);
+         int max_steps, SolvedHandle solved);
   RepairResult run();
 
  private:
@@ -75,7 +75,8 @@ class Repair {
   Progress progress_;
   RepairCallback callback_;
   int max_steps_;
-  Design design_;  // as given
+  Design design_;        // as given
+  SolvedHandle solved_;  // of it, or null
   const Parameters& parameters_;
   VertexPlaces target_;
   Array6 caps_;           // upper bounds of insets beside membranes that were too low
@@ -89,11 +90,12 @@ class Repair {
 };
 
 Repair::Repair(const Design& design, const Progress& progress, const RepairCallback& callback,
-               int max_steps)
+               int max_steps, SolvedHandle solved)
     : progress_(progress),
       callback_(callback),
       max_steps_(max_steps),
       design_(design),
+      solved_(std::move(solved)),
       parameters_(design_.parameters),
       target_{design.target ? design.target->V : design.mesh.V,
               Eigen::VectorXd::Zero(design.mesh.V.rows())},
@@ -137,14 +139,17 @@ Design Repair::design_here() const {
 // Meshes anew: the verdict, and the correction of the moving mesh from here on.
 Judgement Repair::judge_fresh(RepairResult& result) {
   if (!keep_going(progress_, "repair: fresh membranes")) throw Cancelled();
-  SolvedDesign fresh = solve_design(here_.geometry(), design_here(), progress_);
-  Judgement now = tracked_.judge_fresh(here_, fresh);
-  touches_ = find_touches(here_.geometry(), fresh);
+  const bool given = here_.vertices() == given_.vertices() && here_.state == given_.state;
+  const SolvedHandle fresh = given && solved_ ? solved_
+                                              : std::make_shared<const SolvedDesign>(solve_design(
+                                                    here_.geometry(), design_here(), progress_));
+  Judgement now = tracked_.judge_fresh(here_, *fresh);
+  touches_ = find_touches(here_.geometry(), *fresh);
   for (const Touch& touch : touches_) now.depth = std::max(now.depth, -touch.clearance);
   if (now.valid()) {
     result.verification = verify_solved(here_.geometry(), fresh, progress_);
   } else {
-    tracked_.follow(here_, fresh, now);
+    tracked_.follow(here_, *fresh, now);
   }
   return now;
 }
@@ -360,8 +365,9 @@ RepairResult Repair::run() {
 }  // namespace
 
 RepairResult repair_design(const Design& design, const Progress& progress,
-                           const RepairCallback& callback, int max_steps) {
-  return Repair(design, progress, callback, max_steps).run();
+                           const RepairCallback& callback, int max_steps,
+                           SolvedHandle solved) {
+  return Repair(design, progress, callback, max_steps, std::move(solved)).run();
 }
 
 }  // namespace curveups

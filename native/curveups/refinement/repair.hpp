@@ -49,6 +49,8 @@ struct RepairResult {
   std::optional<VerificationReport> verification;  // of a valid result
 };
 
+inline constexpr int most_repair_steps = 60;
+
 // Called after every step with flat corners, insets, the number of weak points and the largest
 // violation of the layout's constraints, mm; false stops as progress does.
 using RepairCallback =
@@ -60,7 +62,10 @@ using RepairCallback =
 // progress it is stopped and keeps the best so far. Throws what make_geometry
 // throws, InvalidInput for a target with other vertices than the mesh, InfeasibleDesign where the
 // layout's constraints can't be restored or membranes fold over even so, SolverFailure.
+// solved: solve_design's of the design, where it is known; else null.
 RepairResult repair_design(const Design& design, const Progress& progress,
-                           const RepairCallback& callback = {}, int max_steps = 60);
+                           const RepairCallback& callback = {},
+                           int max_steps = most_repair_steps,
+                           SolvedHandle solved = nullptr);
 
 }  // namespace curveups

@@ -36,11 +36,11 @@ Judgement TrackedForces::judge_fresh(const Iterate& place, const SolvedDesign& f
   return now;
 }
 
-void TrackedForces::follow(const Iterate& place, SolvedDesign& fresh, const Judgement& judged) {
+void TrackedForces::follow(const Iterate& place, const SolvedDesign& fresh,
+                           const Judgement& judged) {
   forces_ = std::make_unique<DesignForces>(
       place.geometry(), parameters_,
-      std::array<SolvedMembrane, 2>{std::move(fresh.membranes[0].coarse),
-                                    std::move(fresh.membranes[1].coarse)},
+      std::array<SolvedMembrane, 2>{fresh.membranes[0].coarse, fresh.membranes[1].coarse},
       place.poses(), place.insets());
   correction_ = judged.normal - forces_->contact_forces().force.col(0);
   solve_active_floor();

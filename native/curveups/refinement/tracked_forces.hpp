@@ -29,8 +29,8 @@ class TrackedForces {
   // on where it is what fails. Throws InfeasibleDesign where the membranes don't press the tiles
   // together.
   Judgement judge_fresh(const Iterate& place, const SolvedDesign& fresh);
-  // Follows from here on; takes the membranes. judged: what judge_fresh said of them.
-  void follow(const Iterate& place, SolvedDesign& fresh, const Judgement& judged);
+  // Follows from here on. judged: what judge_fresh said of it.
+  void follow(const Iterate& place, const SolvedDesign& fresh, const Judgement& judged);
 
   // On the moving mesh. Throws what DesignForces::move throws; then what is held is of no use until
   // the next successful move.
