@@ -153,12 +153,6 @@ def test_without_mending_all_of_these_are_refused_with_a_way_out(run):
     assert "smooth the target there (mend=on)" in ran.error_lines[0], ran.err
 
 
-def test_ask_of_earlier_versions_is_off(run):
-    _, plain, _ = run(jumble())
-    _, asked, _ = run(jumble(), "mend=ask")
-    assert "mending" not in asked and asked["deviation"] == plain["deviation"]
-
-
 def test_what_is_sound_stays_as_it_is(run, tmp_path):
     designs = []
     for mend in ("off", "on"):

@@ -119,17 +119,6 @@ def test_every_entry_of_the_menu(prepared, known, pages):
 
 
 @pytest.mark.all
-def test_every_button_of_the_toolbar(prepared, known, pages):
-    bars = [one for one in window.findChildren(QtGui.QToolBar) if one.windowTitle().startswith("CurveUps")]
-    buttons = [one for bar in bars for one in bar.findChildren(QtGui.QToolButton)
-               if one.isVisible() and one.defaultAction()]
-    assert buttons
-    for button in buttons:
-        text = button.defaultAction().text().replace("&", "")
-        check(known[text], lambda: click(button), prepared, pages)
-
-
-@pytest.mark.all
 def test_every_entry_of_the_menus_in_the_tree(prepared, pages):
     """Each command by the first object that offers it; of others one entry."""
     tried: set[str] = set()
