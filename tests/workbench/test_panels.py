@@ -91,28 +91,6 @@ def test_another_unit_schema_is_seen_at_once(dome_document, pictures):
     assert texts(rows) == before
 
 
-def test_a_script_that_asks_for_membranes_gets_them(dome_document, tmp_path, pictures):
-    copy = str(tmp_path / "copy.FCStd")
-    document, design = opened(dome_document)
-    design.ViewObject.Visibility = True
-    settle(300)
-    assert not overlay_of(design).scene.membranes
-    design.ViewObject.Membranes = True
-    assert LIVE.busy
-    until(lambda: not LIVE.busy, 60, "the membranes")
-    settle(200)
-    assert len(overlay_of(design).scene.membranes) == 2
-    design.ViewObject.Membranes = False
-    design.ViewObject.Membranes = True
-    assert not LIVE.busy and len(overlay_of(design).scene.membranes) == 2
-    # What is stored is only what is wished for: opening a document computes nothing.
-    document.saveAs(copy)
-    FreeCAD.closeDocument(document.Name)
-    again = FreeCAD.openDocument(copy)
-    settle(800)
-    assert again.Design.ViewObject.Membranes and not LIVE.busy
-
-
 def quit_in_mid_run(pictures, left):
     robot.keep_pictures_in(pictures)
     FreeCADGui.activateWorkbench("CurveUpsWorkbench")

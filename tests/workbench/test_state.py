@@ -118,16 +118,6 @@ def test_what_concerns_settling_alone_leaves_valid_as_it_is(dome_document, tmp_p
     assert design.Verdict == "out of date"
 
 
-def test_expressions(dome_document):
-    document, design = opened(dome_document)
-    design.setExpression("Tau", "1 + 1.5")
-    document.recompute()
-    check_stale(design, "Tau", "Solve")
-    design.setExpression("Tau", None)
-    design.Tau = 3
-    check_judged(design)
-
-
 @pytest.mark.parametrize("name, value, reason", [
     ("HPin", "999 mm", "50.00 mm"), ("HBody", "45 mm", "back faces vanish"), ("PMin", "5 mm", "PMax"),
     ("HeldTiles", "'x'", "no tile")])
