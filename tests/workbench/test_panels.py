@@ -100,6 +100,7 @@ def quit_in_mid_run(pictures, left):
     quit_freecad(left)
 
 
+@pytest.mark.all
 def test_FreeCAD_can_be_quit_in_mid_run(elsewhere, tmp_path):
     """By itself, to its very end, with no thread left in the solver."""
     left = tmp_path / "left"
