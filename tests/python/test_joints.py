@@ -149,12 +149,3 @@ def test_a_layout_without_holes_is_to_be_made_anew(curveups, ball_file, tmp_path
     said, = (one for one in report["warnings"] if one["kind"] == "joint")
     assert report["joints"]["holes"] == 0 and "compute the layout" in said["remedy"]
     assert report["valid"] is False and "pin insets" in report["reasons"][0]
-
-
-@pytest.mark.parametrize("values, named", [
-    (["joint=glue"], "none, holes"), (["joint=holes", "p_floor=0.05"], "p_floor"),
-    (["joint=holes", "support=breakaway", "p_floor=0.15"], "bridges enter")])
-def test_what_cannot_be_is_refused(curveups, ball_file, tmp_path, values, named):
-    ran = curveups("design", ball_file, "-o", tmp_path / "out", "--set", *values)
-    assert ran.status == 2 and len(ran.error_lines) == 1 and named in ran.error_lines[0]
-    assert not (tmp_path / "out").exists()
