@@ -171,6 +171,7 @@ def test_the_step_file_has_the_tiles_where_shaking_ends(risen):
     assert (near < 1e-3).sum() > 12
 
 
+@pytest.mark.all
 def test_a_compensated_design_settles_nearer_to_the_target(curveups, tmp_path):
     curveups("design", "saddle", "-o", tmp_path / "made", "--no-solids", "--set", "L=14", "settle=off")
     source = tmp_path / "made" / "design.json"

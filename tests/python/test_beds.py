@@ -219,21 +219,6 @@ def read_text(path):
     return " ".join(said.split())
 
 
-def test_the_search_for_beds_ends_when_it_is_told_to(design):
-    model = native.make_print_model(design)
-    for bed in ([float(side) - 8 for side in model.bbox[:2]], (52, 30)):  # anchors, parts
-        answered = []
-
-        def asked(*_, answered=answered):
-            answered.append(None)
-            return len(answered) < 3
-
-        with pytest.raises(native.Cancelled):
-            beds.beds(design, model, {"bed_mm": [*bed, 100], "growth_mm": 0.05}, native.tile_shapes(design),
-                      asked)
-        assert len(answered) == 3, "asked again after it was stopped"
-
-
 @pytest.mark.parametrize("error", [native.TopologyError, native.SolverFailure])
 def test_a_print_that_can_not_be_made_with_fewer_anchors_is_cut(design, monkeypatch, error):
     def make(design, *given, **named):

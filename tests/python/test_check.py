@@ -11,31 +11,16 @@ from curveups.base.errors import CurveUpsError
 from curveups.base.findings import Finding
 from curveups.base.native import native
 from curveups.base.parameters import with_values
-from curveups.project.project import Project
 from curveups.report import check
 from curveups.stages import asked_by
-from curveups.stages.cut_request import CutRequest
 from curveups.stages.feasibility import Obstacle, TileFigure, examine, too_stretched
 from curveups.stages.sizes import limit, unhindered
 from curveups.stages.stage import Job
-from curveups.stages.surface import Source
-from curveups.targets.cad_files import Read
+from made import project, sheet
 from shapes import obj_text
 
 NO_CUTS = np.zeros((0, 2), np.int32)
 LIMITS = asked_by("check", "sizes")
-
-
-def sheet(height, size=30.0, parts=30):
-    """A square sheet over the plane."""
-    steps = np.linspace(-size, size, parts + 1)
-    V = np.array([(x, y, height(x, y)) for y in steps for x in steps])
-    F = []
-    for j in range(parts):
-        for i in range(parts):
-            a = j * (parts + 1) + i
-            F += [(a, a + 1, a + parts + 2), (a, a + parts + 2, a + parts + 1)]
-    return V, np.array(F, np.int32)
 
 
 def cone(slope):
@@ -46,13 +31,6 @@ def storeys(apart):
     """Two flat sheets, one above the other."""
     V, F = sheet(lambda x, y: 0.0, 14, 4)
     return np.vstack([V, V + [0, 0, apart]]), np.vstack([F, F + len(V)]).astype(np.int32)
-
-
-def project(V, F, remesh=True, **values):
-    source = Source("made", stamp="made", remesh=remesh, will_be_cut=True,
-                    read=lambda deflection, choice: Read(V, F))
-    return Project("made", with_values(native.Parameters(), values),
-                   {"source": source, "cut request": CutRequest()}, "made")
 
 
 def test_a_filleted_lid_is_checked_without_a_warning(curveups_process, tmp_path):

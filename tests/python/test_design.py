@@ -6,13 +6,12 @@ import math
 import os
 import re
 import shutil
-import struct
 import subprocess
 import zipfile
 
 import numpy as np
 import pytest
-from running import ROOT, command, dome, environment, horn
+from running import ROOT, command, dome, environment
 from schema import FILES, check_design, check_report
 
 
@@ -73,10 +72,9 @@ def alike(report):
     return report
 
 
-@pytest.mark.parametrize("arguments", [("--no-solids",), ()], ids=["layout", "solids"])
-def test_same_bytes_with_one_and_two_threads(curveups_process, tmp_path, arguments):
+def test_same_bytes_with_one_and_two_threads(curveups_process, tmp_path):
     for threads in ("1", "2"):
-        ran = curveups_process("design", "saddle", "-o", tmp_path / threads, "--set", "L=14", *arguments,
+        ran = curveups_process("design", "saddle", "-o", tmp_path / threads, "--set", "L=14",
                                CURVEUPS_THREADS=threads)
         assert ran.status == 0, ran.err
 
@@ -85,7 +83,7 @@ def test_same_bytes_with_one_and_two_threads(curveups_process, tmp_path, argumen
 
     reports = [alike(json.loads(read(threads, "report.json"))) for threads in ("1", "2")]
     for report in reports:  # FreeCAD dates its documents
-        report.get("print", {"files": {}})["files"].pop("saddle.FCStd", None)
+        report["print"]["files"].pop("saddle.FCStd")
     assert reports[0]["unilateral"]["feasible_at_bump_tips"] is True
     assert reports[0] == reports[1]
     for name in sorted(path.name for path in (tmp_path / "1").iterdir()):
@@ -110,23 +108,6 @@ def test_small_targets(curveups, tmp_path, name, text, tiles):
     assert report["constraints"]["overlaps"] == 0
     assert report["solids"]["invalid"] == 0
     check_report(report)
-
-
-@pytest.mark.parametrize("sectors, rings, lies_flat", [(2, 3, True), (1, 7, False)])
-def test_horns(curveups, tmp_path, sectors, rings, lies_flat):
-    """A long horn's conformal map shrinks a thousandfold: where the layout does not settle, that is a
-    finding with a reason, and the geometry stays sound."""
-    (tmp_path / "horn.obj").write_text(horn(sectors, rings))
-    ran = curveups("design", tmp_path / "horn.obj", "-o", tmp_path / "out", "--no-remesh",
-                   "--no-solids", "--set", "run_verification=off")
-    assert ran.status == (0 if lies_flat else 1), ran.err
-    design = json.loads((tmp_path / "out" / "design.json").read_text("utf-8"))
-    report = json.loads((tmp_path / "out" / "report.json").read_text("utf-8"))
-    check_design(design)
-    check_report(report)
-    assert report["valid"] is (None if lies_flat else False)
-    if not lies_flat:
-        assert any("did not converge" in reason for reason in report["reasons"]), report["reasons"]
 
 
 def test_supports_that_run_into_one_another_are_named(curveups, tmp_path):
@@ -211,18 +192,15 @@ def test_config_and_set(curveups, cap, tmp_path):
 
 
 def test_materials_are_configurations(curveups, cap, tmp_path):
-    materials = sorted((ROOT / "resources" / "materials").glob("*.json"))
-    assert len(materials) >= 2
-    for material in materials:
-        other = tmp_path / "tiles.json"
-        other.write_text('{"H_body": 2.5}')
-        ran = curveups("design", cap, "-o", tmp_path / material.stem, "--no-remesh", "--no-solids",
-                       "--config", material, "--config", other, "--set", "run_verification=off")
-        assert ran.status == 0, ran.err
-        used = json.loads((tmp_path / material.stem / "design.json").read_text("utf-8"))["parameters"]
-        given = json.loads(material.read_text("utf-8"))
-        assert given.pop("about") and given.pop("kind") and given.pop("sources")
-        assert {name: used[name] for name in given} == given and used["H_body"] == 2.5
+    material, other = ROOT / "resources" / "materials" / "latex-0.25.json", tmp_path / "tiles.json"
+    other.write_text('{"H_body": 2.5}')
+    ran = curveups("design", cap, "-o", tmp_path / "out", "--no-remesh", "--no-solids", "--config", material,
+                   "--config", other, "--set", "run_verification=off")
+    assert ran.status == 0, ran.err
+    used = json.loads((tmp_path / "out" / "design.json").read_text("utf-8"))["parameters"]
+    given = json.loads(material.read_text("utf-8"))
+    assert given.pop("about") and given.pop("kind") and given.pop("sources")
+    assert {name: used[name] for name in given} == given and used["H_body"] == 2.5
 
 
 def test_remesh_writes_the_numbers_that_cuts_refer_to(curveups, tmp_path):
@@ -253,14 +231,8 @@ def test_verify_and_export_from_a_design_file(curveups, printed, tmp_path):
     assert verified["unilateral"]["feasible_at_bump_tips"] is True
 
 
-def test_stl_and_3mf_are_watertight(printed):
+def test_the_3mf_names_bodies_and_materials(printed):
     report = printed.json("report.json")
-    data = (printed.folder / "small-cap-tiles.stl").read_bytes()
-    count = struct.unpack_from("<I", data, 80)[0]
-    assert len(data) == 84 + 50 * count
-    facet = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("unused", "<u2")])
-    corners = np.frombuffer(data, facet, count, 84)["corners"]
-    check_closed(corners.reshape(-1, 3), np.arange(3 * count).reshape(-1, 3))
     with zipfile.ZipFile(printed.folder / "small-cap-print.3mf") as archive:
         text = archive.read("3D/3dmodel.model").decode()
         assert {entry.date_time for entry in archive.infolist()} == {(1980, 1, 1, 0, 0, 0)}
@@ -277,16 +249,6 @@ def test_stl_and_3mf_are_watertight(printed):
     assert {(name, colours[int(k)][0]) for name, k in used} == {
         ("T", "tiles (rigid)"), ("Support", "support (soluble)"), ("Anchor", "anchors (rigid)")}
     assert len(used) == report["print"]["bodies"]
-
-
-def check_closed(points, faces):
-    _, index = np.unique(points, axis=0, return_inverse=True)
-    faces = index.reshape(-1)[faces]
-    edges = np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
-    forward = {}
-    for a, b in edges.tolist():
-        forward[a, b] = forward.get((a, b), 0) + 1
-    assert all(forward.get((b, a), 0) == n for (a, b), n in forward.items())
 
 
 def test_bar_on_a_terminal(cap, tmp_path):

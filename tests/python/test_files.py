@@ -2,7 +2,6 @@
 """Files of a folder belong together, whatever was there before and however a run ends."""
 
 import json
-import os
 import resource
 import shutil
 import signal
@@ -14,7 +13,6 @@ from running import command, environment
 from curveups.base.errors import NOT_WRITTEN, CurveUpsError
 from curveups.base.native import native
 from curveups.base.output import Folder, safe_name
-from curveups.report import files
 
 OWN = {"small-cap-notes.txt", "other-tiles.step"}
 BARE = {"design.json", "report.json", "report.html"}
@@ -113,14 +111,6 @@ def test_a_folder_that_can_not_be_made(curveups, cap, tmp_path):
     assert ran.status == NOT_WRITTEN and "too long" in ran.error_lines[0], ran.err
 
 
-def test_pipes_and_devices_in_the_folder_stay(curveups, printed, tmp_path):
-    """As root a rename replaced them."""
-    os.mkfifo(tmp_path / "small-cap-tiles.step")
-    with pytest.raises(CurveUpsError, match="a device or a pipe has its name"):
-        Folder(tmp_path).write_text("small-cap-tiles.step", "")
-    assert (tmp_path / "small-cap-tiles.step").is_fifo()
-
-
 @pytest.mark.parametrize("failure, word", [
     (CurveUpsError("the document's Tiles can't be computed", "cap", "see the report view"), "Tiles"),
     (MemoryError(), "MemoryError"), (OSError(28, "No space left on device"), "No space")])
@@ -169,9 +159,3 @@ def test_a_name_is_no_path(curveups, designed, tmp_path):
     assert json.loads((out / "design.json").read_bytes())["name"] == "../x/turtle"  # titles have it as it is
     assert names(tmp_path) == {"design.json", "out", "turtle.FCStd"}
     assert safe_name("...") == "target" and len(safe_name("x" * 300)) < 200
-
-
-def test_report_json_lists_the_page(printed):
-    report = printed.json("report.json")
-    assert report["print"]["files"] == {path.name: path.stat().st_size for path in printed.folder.iterdir()
-                                        if path.name != files.REPORTS[0]}

@@ -6,6 +6,7 @@ import pytest
 
 from curveups.base import freecad_session
 from curveups.kit.former import FOOT, Former, figures, former_stl
+from made import sheet
 
 THICK = (4.1, 1.1)  # mm, behind and before the front
 
@@ -35,16 +36,6 @@ def test_a_former_fills_a_hemisphere():
     assert np.abs(former.heights[there] - wanted).max() < 0.15
 
 
-def grid(height, size=50.0, count=24):
-    """A height field, seen from the front above it."""
-    x, y = np.meshgrid(*[np.linspace(-size, size, count)] * 2, indexing="ij")
-    i, j = np.meshgrid(*[np.arange(count - 1)] * 2, indexing="ij")
-    a = (i * count + j).ravel()
-    return (np.stack([x, y, height(x, y)], axis=2).reshape(-1, 3),
-            np.concatenate([np.stack([a, a + count, a + count + 1], 1),
-                            np.stack([a, a + count + 1, a + 1], 1)]))
-
-
 def ball(radius, rings):
     """Closed, counter-clockwise from outside."""
     V, F = hemisphere(radius, rings, 4 * rings)
@@ -61,9 +52,10 @@ def torus(large=50.0, small=18.0, around=48, across=24):
     return V, np.concatenate([np.stack([corners[k] for k in pick], 1) for pick in ((0, 1, 2), (0, 2, 3))])
 
 
-SHAPES = {"saddle": grid(lambda x, y: (x**2 - y**2) / 60), "plate": grid(lambda x, y: 0 * x),
-          "cliff": grid(lambda x, y: 40 * np.tanh(x - y)), "ball": ball(40, 12), "small ball": ball(9, 3),
-          "few tiles": hemisphere(9, 2, 6), "torus": torus(), "strip": grid(lambda x, y: x**2 / 90, 20, 8)}
+SHAPES = {"saddle": sheet(lambda x, y: (x**2 - y**2) / 60, 50, 23), "plate": sheet(lambda x, y: 0, 50, 23),
+          "cliff": sheet(lambda x, y: 40 * np.tanh(x - y), 50, 23), "ball": ball(40, 12),
+          "small ball": ball(9, 3), "few tiles": hemisphere(9, 2, 6), "torus": torus(),
+          "strip": sheet(lambda x, y: x**2 / 90, 20, 7)}
 
 
 @pytest.mark.parametrize("shape", SHAPES)

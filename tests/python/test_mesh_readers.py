@@ -110,25 +110,15 @@ def test_lists_of_several_lengths_and_other_data_of_a_binary_ply(tmp_path):
     assert len(read_V) == 4 and read_F.tolist() == [[0, 1, 2], [0, 1, 2], [0, 2, 3]]
 
 
-BROKEN = {
+BROKEN = {  # words, and an end that comes early; the fuzzer tries the rest
     "word.obj": (obj().replace("v 9.0", "v nine"), "line 2"),
-    "nan.obj": (obj().replace("9.0", "nan"), "finite"),
-    "index-zero.obj": (obj() + "f 0 1 2\n", "line 7"), "beyond.obj": (obj() + "f 1 2 9\n", "not there"),
-    "behind.obj": (obj() + "f 1 2 -9\n", "not there"), "two-corners.obj": (obj() + "f 1 2\n", "2 corners"),
-    "huge-index.obj": (obj() + "f 1 2 99999999999999999999\n", "not there"),
-    "no-faces.obj": (obj().partition("f")[0], "no faces"), "empty.obj": ("", "no faces"),
-    "not-off.off": ("COFFEE\n", "no OFF file"), "short.off": (OFF[:-3], "line 8"),
-    "fewer.off": (OFF.replace("4 2 0", "4 3 0"), "ends early"), "nothing.off": ("", "line 1"),
+    "beyond.obj": (obj() + "f 1 2 9\n", "not there"),
+    "nan.obj": (obj().replace("9.0", "nan"), "finite"), "empty.obj": ("", "no faces"),
+    "not-off.off": ("COFFEE\n", "no OFF file"), "fewer.off": (OFF.replace("4 2 0", "4 3 0"), "ends early"),
     "word.stl": (stl().replace("vertex 9.0 9.0", "vertex foo 9.0", 1), "can't be read"),
-    "two-numbers.stl": (stl().replace("vertex 9.0 0.0 0.0", "vertex 9.0 0.0", 1), "can't be read"),
     "cut-off.stl": (stl()[:-40], "ends early"), "short-binary.stl": (binary_stl()[:-1], "ends early"),
     "word.ply": (PLY.replace("9.0 0.0 0.0", "foo 0.0 0.0"), "foo"),
-    "corner.ply": (PLY.replace("3 0 1 2", "3 0 1 2.5"), "2.5"),
-    "beyond.ply": (PLY.replace("0 2 3", "0 2 4"), "there"),
-    "short.ply": (PLY[:-8], "ends early"), "short-little.ply": (binary_ply("<")[:-3], "ends early"),
-    "announced.ply": (PLY.replace("vertex 4", "vertex 900000000"), "ends early"),
-    "no-z.ply": (PLY.replace("property float z\n", "property float w\n"), "'z'"),
-    "header.ply": ("ply\n", "PLY"),
+    "short-little.ply": (binary_ply("<")[:-3], "ends early"), "header.ply": ("ply\n", "PLY"),
     "words.3mf": ("hello", "3MF"),
 }
 

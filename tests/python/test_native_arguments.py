@@ -22,7 +22,8 @@ def put(array, place, value):
     (V, F[:, :2]), (V, F.astype(float)), (V, put(F, (2, 1), -1)), (V, put(F, (2, 1), len(V))), (V, F[:0])])
 @pytest.mark.parametrize("entry", [
     lambda V, F: native.solve_layout(V, F, NONE, native.Parameters()), lambda V, F: native.remesh(V, F, 8.0),
-    lambda V, F: native.surface_deviation(V, F, V, F)])
+    lambda V, F: native.surface_deviation(V, F, V, F),
+    lambda V, F: native.tile_shapes_at(V, F, NONE, native.Parameters())])
 def test_meshes(entry, wrong):
     with pytest.raises((native.Error, TypeError, ValueError)):
         entry(*wrong)

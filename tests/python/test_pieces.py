@@ -6,17 +6,15 @@ import zipfile
 
 import numpy as np
 import pytest
-from curveups.targets.cad_files import Read
 from curveups.base.errors import CurveUpsError
 from curveups.base.findings import Finding
 from curveups.base.native import native
-from curveups.project.project import Project
 from curveups.stages import pieces as pieces_stage
 from curveups.stages.cut_request import CutRequest
 from curveups.stages.division import all_cuts
 from curveups.stages.stage import Inputs, Job
-from curveups.stages.surface import Source
 from curveups.stages.verification import Verification
+from made import project
 from schema import read_run
 from shapes import obj_text, ring, sphere
 
@@ -43,14 +41,6 @@ def ball(curveups, shapes_folder, tmp_path_factory):
 def pieces_of(design):
     return native.pieces_of_faces(np.array(design["V"], float), np.array(design["F"], np.int32),
                                   np.array(design["cuts"], np.int32).reshape(-1, 2))
-
-
-def project(V, F, cuts=CutRequest(), **values):
-    parameters = native.Parameters()
-    for name, value in values.items():
-        parameters.set(name, value)
-    source = Source("made", stamp="made", will_be_cut=True, read=lambda deflection, choice: Read(V, F))
-    return Project("made", parameters, {"source": source, "cut request": cuts}, "made")
 
 
 def divided(V, F, cuts=CutRequest(), **values):
@@ -96,6 +86,7 @@ def test_each_piece_is_printed_and_anchored_by_itself(ball):
     assert model.count("<item ") == 2
 
 
+@pytest.mark.all
 def test_a_torus_is_valid(curveups, shapes_folder, tmp_path):
     ran = curveups("design", shapes_folder / "ring.obj", "-o", tmp_path, "--no-solids", "--set",
                    "pieces=auto")
@@ -222,11 +213,7 @@ def test_a_number_is_a_number_in_a_file_too(curveups, shapes_folder, tmp_path):
 
 def test_a_closed_target_names_the_way_out():
     with pytest.raises(CurveUpsError) as caught:
-        V, F = sphere(25, 3)
-        made = Project("made", native.Parameters(), {
-            "source": Source("made", stamp="made", read=lambda deflection, choice: Read(V, F)),
-            "cut request": CutRequest()}, "made")
-        made.run(("target",))
+        project(*sphere(25, 3), will_be_cut=False).run(("target",))
     assert "pieces=auto" in caught.value.remedy
 
 

@@ -47,11 +47,6 @@ def test_what_did_not_run_is_not_spoken_of():
     assert worst_contacts([], 0.1) == []
 
 
-def test_blocks_of_earlier_documents_do():
-    old = {name: value for name, value in REPAIR.items() if name not in ("mended", "moved_vertices")}
-    assert "ended with a valid design" in text_of(changes({"repair": old}))
-
-
 @pytest.mark.parametrize("kind", ["designed", "printed"])
 def test_the_worst_contacts_of_a_valid_design(kind, request):
     done = request.getfixturevalue(kind)

@@ -55,19 +55,6 @@ def test_a_design_says_whether_it_holds(printed):
     assert ">Valid, holds<" in page and "<h2>Settled shape</h2>" in page
 
 
-def test_tiles_between_bare_walls_come_to_rest():
-    """They changed the faces that touch for ever, where two separate them as well as one another."""
-    values = native.Parameters()
-    values.set("bumps", "dimples")
-    values.set("L", 14)
-    source = find_source("hyperboloid", remesh=True, will_be_cut=False)
-    project = Project("hyperboloid", values, {"source": source, "cut request": CutRequest()}, "hyperboloid")
-    results = project.run(asked_by("solve", "settle"))
-    report = results["settle"].report()
-    assert results.verdict.holds is True and report["settled"]["converged"]
-    assert report["margin"]["met"] is True
-
-
 def report_L(made):
     return made.json("design.json")["parameters"]["L"]
 
@@ -159,17 +146,6 @@ def test_the_window_says_how_far_and_what_fails_first(cap_design):
         below = settled(cap_design, friction_coefficient=0.5 * friction["low"])["settle"]
         assert below.holds is not True
     assert not settled(cap_design)["settle"].window
-
-
-@pytest.mark.parametrize("threads", ["2", "4"])
-def test_any_number_of_threads_gives_the_same_reports(curveups_process, cap_design, tmp_path, threads):
-    texts = []
-    for count in ("1", threads):
-        out = tmp_path / count
-        assert curveups_process("verify", cap_design, "-o", out, CURVEUPS_THREADS=count).status == VALID
-        report = json.loads((out / "report.json").read_text("utf-8"))
-        texts.append(json.dumps({name: report[name] for name in ("holds", "settled", "margin")}))
-    assert texts[0] == texts[1]
 
 
 def test_a_stop_while_tiles_settle_keeps_the_verdict(cap_design):

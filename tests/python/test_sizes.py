@@ -8,44 +8,17 @@ import numpy as np
 import pytest
 from curveups.base.errors import CurveUpsError, Stopped
 from curveups.base.native import native
-from curveups.base.parameters import with_values
 from curveups.project import size_choice
-from curveups.project.project import Project
 from curveups.stages import pin_smoothing
 from curveups.stages.cut_request import CutRequest
 from curveups.stages.feasibility import examine
 from curveups.stages.stage import Job
-from curveups.stages.surface import Source
-from curveups.targets.cad_files import Read
+from made import project, sheet, tent
 from shapes import sphere
 
 
 def dome(radius=60.0, parts=30):
-    steps = np.linspace(-25, 25, parts + 1)
-    V = np.array([(x, y, np.sqrt(radius ** 2 - x * x - y * y)) for y in steps for x in steps])
-    F = []
-    for j in range(parts):
-        for i in range(parts):
-            a = j * (parts + 1) + i
-            F += [(a, a + 1, a + parts + 2), (a, a + parts + 2, a + parts + 1)]
-    return V, np.array(F, np.int32)
-
-
-def tent(height):
-    """A ridge between two tips, 16 mm long, on a square of 48 mm."""
-    steps = np.arange(-24, 25, 2.0)
-    V = np.array([(x, y, height * max(0.0, 1 - np.hypot(max(abs(x) - 8, 0), y) / 9))
-                  for y in steps for x in steps])
-    a = (25 * np.arange(24)[:, None] + np.arange(24)).reshape(-1)
-    F = np.stack([a, a + 1, a + 26, a, a + 26, a + 25], axis=1).reshape(-1, 3)
-    return V, F.astype(np.int32)
-
-
-def project(V, F, remesh=True, **values):
-    source = Source("made", stamp="made", remesh=remesh, will_be_cut=True,
-                    read=lambda deflection, choice: Read(V, F))
-    return Project("made", with_values(native.Parameters(), values),
-                   {"source": source, "cut request": CutRequest()}, "made")
+    return sheet(lambda x, y: np.sqrt(radius ** 2 - x * x - y * y), 25, parts)
 
 
 def choose(of, *names):
@@ -83,7 +56,7 @@ def test_a_deviation_out_of_reach_is_refused_with_what_was_tried():
 
 def test_thinner_tiles_are_solved_until_a_design_is_valid():
     """Margins let thick tiles pass, and membranes cut into them."""
-    V, F = tent(5)
+    V, F = tent(5, 9, 24)
     choice = choose(project(V, F[:, ::-1], L=10.0), "H_body")
     *refused, last = choice.tried
     assert choice.valid and not last.why and last.values == choice.values
@@ -96,7 +69,7 @@ def test_thinner_tiles_are_solved_until_a_design_is_valid():
 
 
 def test_sizes_that_margins_refuse_are_not_solved():
-    V, F = tent(7)
+    V, F = tent(7, 9, 24)
     with pytest.raises(CurveUpsError, match="tried H_body = 4.3 mm: not valid, 2 of 64 tiles can't be made"):
         choose(project(V, F[:, ::-1], L=10.0), "H_body")
 

@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 from running import dome
 from schema import check_design, check_report
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
 from shapes import obj_text, ring, sphere, vase
 
 FAST = ("--no-solids", "--set", "L=14", "--set", "run_verification=off")
@@ -34,27 +36,18 @@ def run(curveups, shapes_folder, out, name, *more, status=0):
 def euler(design):
     """Vertices, edges and faces of the surface opened along its cuts: 1 for a disc."""
     F, cuts = np.array(design["F"]), {tuple(sorted(edge)) for edge in design["cuts"]}
-    parent = list(range(3 * len(F)))
-
-    def find(corner):
-        while parent[corner] != corner:
-            corner = parent[corner]
-        return corner
-
-    sides, edges = {}, 0
-    for f, face in enumerate(F.tolist()):
-        for t in range(3):
-            sides.setdefault(tuple(sorted((face[t], face[(t + 1) % 3]))), []).append((f, t))
+    sides, joined, edges = {}, [], 0  # corners of faces at the ends of each edge; corners that are one vertex
+    for corner, face in zip(range(0, F.size, 3), F.tolist()):
+        for t, u in ((0, 1), (1, 2), (2, 0)):
+            sides.setdefault(tuple(sorted((face[t], face[u]))), []).append((corner + t, corner + u))
     for edge, ends in sides.items():
-        if len(ends) == 1 or edge in cuts:
-            edges += len(ends)
-            continue
-        edges += 1
-        (f, s), (g, t) = ends
-        parent[find(3 * f + s)] = find(3 * g + (t + 1) % 3)
-        parent[find(3 * f + (s + 1) % 3)] = find(3 * g + t)
-    vertices = len({find(corner) for corner in range(3 * len(F))})
-    return vertices - edges + len(F)
+        apart = len(ends) == 1 or edge in cuts
+        edges += len(ends) if apart else 1
+        if not apart:
+            (a, b), (c, d) = ends
+            joined += [(a, d), (b, c)]
+    graph = coo_matrix((np.ones(len(joined)), np.transpose(joined)), shape=(F.size, F.size))
+    return connected_components(graph, directed=False)[0] - edges + len(F)
 
 
 def test_a_closed_sphere_without_cuts_names_the_remedy(curveups, shapes_folder, tmp_path):

@@ -97,16 +97,6 @@ def test_the_stage_of_the_contributors_page(designed, monkeypatch):
     assert of.run(("weight",))["weight"].grams == pytest.approx(2 * grams)
 
 
-def test_the_benchmark_of_the_window_says_what_is_missed():
-    spec = importlib.util.spec_from_file_location("window_benchmark", ROOT / "tests/benchmarks/window.py")
-    benchmark = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(benchmark)
-    good = {name: 0.0 if less else 100.0 for name, (_, _, less) in benchmark.GOALS.items()}
-    assert benchmark.missed(good) == []
-    assert benchmark.missed({**good, "undo": 0.31}) == ["undo"]
-    assert benchmark.missed({**good, "frames a second, flat": 24}) == ["frames a second, flat"]
-
-
 @pytest.mark.parametrize("word", ["test_nowhere.py::test_commands", "nowhere/test_nowhere.py::test_commands",
                                   "test_of_nothing"])
 def test_a_test_that_there_is_not_is_refused(word):

@@ -52,35 +52,6 @@ def test_a_target_without_layout_has_actuated_tiles_alone(target):
     assert len(shapes.flat) == len(shapes.actuated_pins) == len(shapes.flat_pins) == 0
 
 
-@pytest.mark.parametrize("spoil", ["T shape", "T rows", "T nan", "q inf", "F index", "F negative", "V nan",
-                                   "cuts"])
-def test_arrays_that_do_not_fit_are_refused(design, spoil):
-    V, F, T, q = np.array(design.V), np.array(design.F), np.array(design.T), np.array(design.q)
-    cuts = np.zeros((0, 2), np.int32)
-    if spoil == "T shape":
-        T = T.reshape(len(T), 6)
-    elif spoil == "T rows":
-        T = T[:-1]
-    elif spoil == "T nan":
-        T[3, 1, 0] = np.nan
-    elif spoil == "q inf":
-        q[0, 1, 2] = np.inf
-    elif spoil == "F index":
-        F[0, 0] = len(V)
-    elif spoil == "F negative":
-        F[0, 0] = -1
-    elif spoil == "V nan":
-        V[int(F[0, 0]), 2] = np.nan
-    else:
-        cuts = np.array([[-5, 10**6]], np.int32)
-    with pytest.raises((native.InvalidInput, native.TopologyError)) as caught:
-        native.tile_shapes_at(V, F, cuts, design.parameters, T, q)
-    assert caught.value.remedy
-    if spoil[0] != "F":
-        with pytest.raises((native.InvalidInput, native.TopologyError)):
-            native.evaluate_design(native.Design("x", design.parameters, V, F, T, q, cuts))
-
-
 def test_fields_have_a_value_per_tile_or_contact(design):
     tiles, contacts = len(design.F), len(native.tile_shapes(design).contacts)
     before = native.target_figures(design.V, design.F, design.cuts, design.parameters)

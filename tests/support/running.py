@@ -94,37 +94,3 @@ def dome(rings, radius=40.0, edge=8.0):
                                   index(ring - 1, inner + 1)))
     return "".join(f"v {x!r} {y!r} {z!r}\n" for x, y, z in vertices) + "".join(
         f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in faces)
-
-
-def horn(sectors, rings, edge=8.0):
-    """OBJ text of a half ball on a tube of so many rings of 6 sectors: a conformal map shrinks its tip
-    by exp(length / radius)."""
-    around = 6 * sectors
-    radius = edge * around / (2 * math.pi)
-    points, rows = [(0.0, 0.0, radius)], [[0]]
-
-    def ring(count, r, z, turn):
-        rows.append(list(range(len(points), len(points) + count)))
-        points.extend((r * math.cos(2 * math.pi * (k + turn) / count),
-                       r * math.sin(2 * math.pi * (k + turn) / count), z) for k in range(count))
-
-    def at(row, k):
-        return rows[row][k % len(rows[row])]
-
-    faces = []
-    for row in range(1, sectors + 1):
-        polar = row / sectors * math.pi / 2
-        ring(6 * row, radius * math.sin(polar), radius * math.cos(polar), 0)
-        for sector in range(6):
-            for j in range(row):
-                outer, inner = sector * row + j, sector * (row - 1) + j
-                faces.append((at(row, outer), at(row, outer + 1), at(row - 1, inner)))
-                if j < row - 1:
-                    faces.append((at(row - 1, inner), at(row, outer + 1), at(row - 1, inner + 1)))
-    for row in range(sectors + 1, sectors + rings + 1):
-        ring(around, radius, -(row - sectors) * edge * math.sqrt(3) / 2, 0.5 * (row - sectors))
-        for j in range(around):
-            faces += [(at(row - 1, j), at(row, j), at(row - 1, j + 1)),
-                      (at(row - 1, j + 1), at(row, j), at(row, j + 1))]
-    return "".join(f"v {x!r} {y!r} {z!r}\n" for x, y, z in points) + "".join(
-        f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in faces)

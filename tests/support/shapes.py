@@ -32,29 +32,6 @@ def vase(spacing=2.0):
     return revolved(np.array(bottom + wall), round(2 * math.pi * 30 / spacing))
 
 
-def body(spacing=2.5, blend=15.0):
-    """A closed, four-legged body with head, ears, horns' stubs and a tail: capsules blended."""
-    capsules = [  # from, to, radius
-        ((-38, 0, 0), (34, 0, 2), 26.0),
-        ((34, 0, 6), (58, 0, 30), 17.0), ((58, 0, 30), (74, 0, 24), 14.0),
-        ((54, 10, 42), (50, 26, 54), 7.0), ((54, -10, 42), (50, -26, 54), 7.0),
-        ((-36, 14, -10), (-38, 17, -52), 11.0), ((-36, -14, -10), (-38, -17, -52), 11.0),
-        ((30, 14, -10), (32, 17, -52), 11.0), ((30, -14, -10), (32, -17, -52), 11.0),
-        ((-58, 0, 10), (-84, 0, 26), 7.5),
-    ]
-
-    def distance(p):
-        total = 0.0
-        for start, end, r in capsules:
-            a, b = np.array(start, float), np.array(end, float)
-            t = np.clip(((p - a) @ (b - a)) / ((b - a) @ (b - a)), 0, 1)
-            total = total + np.exp(-(np.linalg.norm(p - a - t[..., None] * (b - a), axis=-1) - r)
-                                   / blend)
-        return -blend * np.log(total)
-
-    return implicit_surface(distance, (-110, -60, -84), (110, 60, 80), spacing)
-
-
 def revolved(profile, around):
     """The profile (radius, height) turned about z, its first point on the axis; normals away from
     the axis."""

@@ -40,12 +40,6 @@ def dome_document():
     return shared("document", design_document) / "out" / "dome.FCStd"
 
 
-@pytest.fixture(scope="session")
-def bowl_document():
-    """Of the dome seen from inside: its back faces are larger than its front faces. Shared, too."""
-    return shared("bowl", lambda folder: design_document(folder, "--set", "flip=on")) / "out" / "dome.FCStd"
-
-
 @pytest.fixture
 def elsewhere(request, tmp_path_factory):
     """Calls a function of the test's file in another FreeCAD, and gives its value and what FreeCAD printed.

@@ -112,6 +112,7 @@ def test_a_path_is_computed_played_and_kept(dome_document, pictures, tmp_path):
     assert design.Actuation == "current"
 
 
+@pytest.mark.all
 def test_a_run_that_is_cancelled_or_undone_leaves_nothing(pictures):
     document, design = example(L=14, Bumps="none")  # the dome rises within the time of a click
     FreeCADGui.runCommand("CurveUps_Solve")

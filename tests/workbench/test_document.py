@@ -110,17 +110,6 @@ def test_geometry_follows_its_properties_without_solving(dome_document):
     assert len(document.Anchors.Shape.Solids) == 0
 
 
-def test_constraints_that_no_longer_hold_are_said(bowl_document):
-    """The back faces of a bowl's thicker tiles are larger: gaps on the back close."""
-    document, design, tiles = opened(bowl_document)
-    layout = design.Results
-    design.HBody = 4.0
-    document.recompute()
-    assert design.Verdict == "not valid", (design.Verdict, design.Reasons)
-    assert any("nearer than DGapMin" in reason for reason in design.Reasons), design.Reasons
-    assert design.Results == layout
-
-
 def test_interfaces_that_lose_their_bumps_are_said(capfd, dome_document):
     document, design, tiles = opened(dome_document)
     design.BumpHeight = 1.1

@@ -13,17 +13,14 @@ from curveups.project.worker import WORKER
 from curveups.report import exports
 from curveups.window import qt
 from robot import QtGui, click, close_panel, fill, keys, picture, press, settle, until, widget
-from steps import LIVE, example, opened, panel, quit_freecad
+from steps import LIVE, opened, panel, quit_freecad
 
 pytestmark = pytest.mark.freecad(window=True)
 
 
-def test_what_comes_after_an_export_is_a_click_away(tmp_path, pictures, monkeypatch):
+def test_what_comes_after_an_export_is_a_click_away(dome_document, tmp_path, pictures, monkeypatch):
     """A folder holds one design: the report of another is replaced."""
-    made, design = example(L=14)
-    FreeCADGui.runCommand("CurveUps_Solve")
-    until(lambda: not LIVE.busy, 120, "the run to end")
-    panel().reject()
+    document, design = opened(dome_document)
     folder = tmp_path / "prints"
     folder.mkdir()
     (folder / "report.json").write_text(json.dumps({"name": "someone-elses"}))
@@ -31,18 +28,18 @@ def test_what_comes_after_an_export_is_a_click_away(tmp_path, pictures, monkeypa
     form = widget("ExportPanel")
     form.findChild(QtGui.QLineEdit, "folder").setText(str(folder))
     button, line = form.findChild(QtGui.QPushButton, "write"), form.findChild(QtGui.QLabel, "line")
-    opened = []
-    monkeypatch.setattr(qt.QtGui.QDesktopServices, "openUrl", lambda url: opened.append(url.toLocalFile()))
+    pages = []
+    monkeypatch.setattr(qt.QtGui.QDesktopServices, "openUrl", lambda url: pages.append(url.toLocalFile()))
     click(button)
     until(lambda: not LIVE.busy and "open the report" in line.text(), 120, "the files")
-    assert json.loads((folder / "report.json").read_text("utf-8"))["name"] == "half-sphere"
+    assert json.loads((folder / "report.json").read_text("utf-8"))["name"] == design.Label
     picture("written")
     line.setFocus()
     for _ in range(3):
         keys("Tab")
         keys("Return")
         settle(200)
-    assert opened == [str(folder / name) for name in ("", "report.html", "half-sphere-print.3mf")], opened
+    assert pages == [str(folder / name) for name in ("", "report.html", f"{design.Label}-print.3mf")], pages
     close_panel()
 
 
@@ -119,6 +116,7 @@ def test_FreeCAD_can_be_quit_in_mid_export(elsewhere, dome_document, tmp_path):
     assert not [name for name in os.listdir(folder) if name.startswith((".", "report"))]
 
 
+@pytest.mark.all
 def test_each_design_remembers_where_its_files_went(dome_document, tmp_path, pictures):
     document, first = opened(dome_document)
     second = document.copyObject(first, True)

@@ -5,7 +5,7 @@ import FreeCAD
 import pytest
 from curveups.base.native import problem
 from curveups.base.parameters import table
-from curveups.features import document as documents, live, properties, rebuild
+from curveups.features import document as documents, live, properties
 from curveups.stages import BY_NAME
 
 pytestmark = pytest.mark.freecad
@@ -87,25 +87,3 @@ def test_every_parameter(dome_document, elsewhere):
     for home, window in (("no native", False), ("workbench", True)):
         (again, with_solver), _ = elsewhere(said, path, home=home, window=window)
         assert with_solver == (home == "workbench") and again == found
-
-
-def test_a_change_of_what_reads_the_target_alone(dome_document):
-    """Such a change left the Target current once."""
-    design = FreeCAD.openDocument(str(dome_document)).Design
-    for name, value in (("CreaseAngle", 30), ("Scale", 1.5), ("Mend", "on")):
-        before = getattr(design, name)
-        setattr(design, name, value)
-        assert design.Target.Status == "out of date" and name in design.Target.Reason
-        assert design.Status == "out of date" and name in design.Reasons[0]
-        setattr(design, name, before)
-        assert design.Target.Status == design.Status == "current"
-
-
-def test_solids_follow_where_there_is_no_window(dome_document):
-    design = FreeCAD.openDocument(str(dome_document)).Design
-    assert not rebuild.needed(design)
-    design.HBody = "2.5 mm"
-    assert rebuild.needed(design)
-    design.Document.recompute()
-    assert not rebuild.needed(design) and design.Tiles.Status == "current"
-    assert design.Verification.Status == "out of date"

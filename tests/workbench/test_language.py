@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """In a FreeCAD that speaks German menus, tooltips, panels and reasons do so too; preferences."""
 
-import re
-
 import FreeCAD
 import FreeCADGui
 import pytest
@@ -14,9 +12,8 @@ from curveups.window.overlays import overlay_of
 from curveups.window.panels.export import ExportPanel
 from curveups.window.panels.panel import show
 from curveups.window.panels.solve import SolvePanel
-from robot import (QtCore, QtGui, action, at_rest, choose, choose_file, click, click_at, click_item,
-                   cut_off, entry_of, fill, in_dialog, keys, menu_bar, menu_of, picture, press, settle,
-                   until, widget, window)
+from robot import (QtCore, QtGui, action, choose, choose_file, click, click_at, entry_of, fill, in_dialog,
+                   keys, menu_bar, menu_of, picture, press, settle, until, widget, window)
 from steps import ENGLISH, LIVE, example, opened, panel
 
 pytestmark = pytest.mark.freecad(window=True)
@@ -78,72 +75,6 @@ def test_menus_follow_each_change_of_the_language():
         for name, active in (("NewDesign", True), ("Solve", False)):  # FreeCAD asks after each event
             assert FreeCADGui.Command.get(f"CurveUps_{name}").isActive() == active
         assert reason in solve.toolTip(), solve.toolTip()
-
-
-@pytest.mark.all
-def test_a_check_is_german(pictures):
-    """What it is doing, margins, and the native module's reasons and remedies."""
-    FreeCADGui.setLocale("German")
-    try:
-        made, design = example("half-sphere", L=14, HBody=33)
-        press("CurveUps_Check")
-        form, said = panel().form, set()
-
-        def done():
-            said.add(form.doing.text())
-            return form.verdict.text() and not LIVE.busy
-
-        until(done, 200, "the check")
-        at_rest()
-        picture("check")
-        assert re.search("Kacheln untersuchen|Zielfläche|vernetzen|versuchen", " ".join(said)), said
-        assert not cut_off(form), cut_off(form)
-        reasons = [form.verdict.text(), form.advice.text(), *(
-            form.obstacles.topLevelItem(row).text(1) for row in range(form.obstacles.topLevelItemCount()))]
-        assert len(reasons) > 3
-        for text in reasons:
-            assert re.search("Kachel|Rückseite|Zapfen|genügt", text), text
-        margins = [form.margins.topLevelItem(row) for row in range(form.margins.topLevelItemCount())]
-        assert len(margins) == 9
-        for text in (*said, *reasons, form.note.text(), *(row.text(0) for row in margins)):
-            assert not ENGLISH.search(text), text
-        # A click on a margin colours the tiles by it still.
-        click_item(form.margins, margins[2])
-        until(lambda: overlay_of(design).field().name == "Pin area margin", 10, "the field of the margin")
-        verdict = show(SolvePanel, design).form.verdict.text()
-        assert "es gibt noch keine Abwicklung" in verdict, verdict
-    finally:
-        FreeCADGui.setLocale("English")
-
-
-@pytest.mark.all
-def test_a_run_says_in_german_what_it_is_doing(dome_document, tmp_path):
-    """Of a layout, its verification and its files."""
-    FreeCADGui.setLocale("German")
-    said: set[str] = set()
-
-    def heard(status, goes_on):
-        if goes_on:
-            said.add(status.what)
-
-    try:
-        document, design = opened(dome_document)
-        design.Tau = 2.9
-        document.recompute()
-        LIVE.observe(heard)
-        press("CurveUps_Solve")
-        until(lambda: said and not LIVE.busy, 120, "the run")
-        at_rest()
-        assert design.Verdict == "valid", (design.Verdict, panel().form.line.text())
-        press("CurveUps_Export")
-        fill(panel().form.folder, str(tmp_path / "files"))
-        click(panel().form.write)
-        until(lambda: any("schreiben" in text for text in said) and not LIVE.busy, 120, "the files")
-        assert not any(map(ENGLISH.search, said)), said
-        assert panel().form.line.text().startswith("Dateien in "), panel().form.line.text()
-    finally:
-        LIVE.forget(heard)
-        FreeCADGui.setLocale("English")
 
 
 def test_errors_are_german(tmp_path, pictures):

@@ -164,7 +164,8 @@ def test_colours_are_those_of_the_values(dome_document, pictures):
         assert (np.abs(near - colours.MARK).max(axis=1) < 0.05).sum() > 5, "no cross"
 
 
-@pytest.mark.parametrize("screen", ["usual", pytest.param("4K", marks=pytest.mark.freecad(window="4K"))])
+@pytest.mark.parametrize("screen", [
+    "usual", pytest.param("4K", marks=[pytest.mark.all, pytest.mark.freecad(window="4K")])])
 def test_the_legend_stands_on_its_paper(screen, dome_document, pictures):
     document, design, view, overlay = opened(dome_document)
     if screen == "4K":

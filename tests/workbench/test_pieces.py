@@ -41,34 +41,3 @@ def test_a_ball_in_pieces(tmp_path):
         document.settings_of(design)
     design.Pieces = "auto"
     assert document.state_of(design)[0] == "current", document.state_of(design)
-
-
-def test_a_ball_that_can_be_sewn(tmp_path):
-    """Holes are in a document's solids, and go with the property."""
-    ball = tmp_path / "ball.obj"
-    ball.write_text(obj_text(*sphere(30, 3)))
-    saved = str(tmp_path / "saved.FCStd")
-    doc = FreeCAD.newDocument("sewn")
-    design = document.new_design(doc, str(ball))
-    for name, value in (("Pieces", "2"), ("Joint", "holes"), ("L", 8), ("HBody", 2)):
-        setattr(design, name, value)
-    assert design.getGroupOfProperty("Joint") == design.getGroupOfProperty("Pieces") + ", more"
-    actions.solve(design)
-    doc.recompute()
-
-    def bores():
-        assert design.Tiles.Shape.isValid() and len(design.Tiles.Shape.Solids) == design.TileCount
-        return sum(type(face.Surface).__name__ == "Cylinder" for face in design.Tiles.Shape.Faces)
-
-    found = bores()
-    assert found > 40, found
-    name = str(doc.Name)
-    doc.saveAs(saved)
-    FreeCAD.closeDocument(name)
-    doc = FreeCAD.openDocument(saved)
-    design = doc.Design
-    assert bores() == found
-    assert document.state_of(design)[0] != "out of date", document.state_of(design)
-    design.Joint = "none"
-    assert document.state_of(design)[0] == "out of date", document.state_of(design)
-    assert document.project_of(design).out_of_date("layout") != ()

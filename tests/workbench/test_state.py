@@ -118,16 +118,6 @@ def test_what_concerns_settling_alone_leaves_valid_as_it_is(dome_document, tmp_p
     assert design.Verdict == "out of date"
 
 
-def test_expressions(dome_document):
-    document, design = opened(dome_document)
-    design.setExpression("Tau", "1 + 1.5")
-    document.recompute()
-    check_stale(design, "Tau", "Solve")
-    design.setExpression("Tau", None)
-    design.Tau = 3
-    check_judged(design)
-
-
 @pytest.mark.parametrize("name, value, reason", [
     ("HPin", "999 mm", "50.00 mm"), ("HBody", "45 mm", "back faces vanish"), ("PMin", "5 mm", "PMax"),
     ("HeldTiles", "'x'", "no tile")])
@@ -165,7 +155,7 @@ def test_the_source_is_an_object_of_the_document(document, tmp_path):
     source.Shape = cap()
     design = documents.new_design(document, source, "Dome")
     assert (design.Label, design.Verdict, design.Status) == ("Dome", "not judged", "empty")
-    design.L = 10
+    design.L = 14
     solve(design)
     assert (design.Verdict, design.Status) == ("valid", "current"), list(design.Reasons)
     assert design.Target.Mesh.CountFacets == design.TileCount == len(design.Layout.Poses) // 6
@@ -236,7 +226,7 @@ def test_a_solve_is_one_step_of_undo(document):
     document.UndoMode = 1
     document.openTransaction("New")
     design = documents.new_design(document, "cap")
-    design.L = 10
+    design.L = 14
     document.commitTransaction()
     documents.project_of(design).run(("design", "figures", "verification"))
     states = []
@@ -275,7 +265,7 @@ def test_a_solve_is_one_step_of_undo(document):
 
 def test_cuts(document):
     design = documents.new_design(document, "cap")
-    design.L = 10
+    design.L = 14
     assert "no tiles" in refused(documents.set_cuts, design, [[0, 1]])
     solve(design)
     F = documents.project_of(design).latest("target").F

@@ -123,7 +123,8 @@ def places_in_tree(document, label):
     return found
 
 
-@pytest.mark.parametrize("kind", ["App::Part", "App::DocumentObjectGroup"])
+@pytest.mark.parametrize("kind", [
+    "App::Part", pytest.param("App::DocumentObjectGroup", marks=pytest.mark.all)])
 def test_a_design_in_a_group_is_deleted_whole_and_comes_back_there(dome_document, kind, pictures):
     document, design = opened(dome_document)
     tidy()

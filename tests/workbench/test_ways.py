@@ -12,7 +12,7 @@ from robot import (QtGui, at_rest, choose, click, click_at, in_dialog, keys, men
                    press, report, settle, tree_entry, until, widget, window)
 from steps import LIVE, begin, leave, opened, panel
 
-pytestmark = pytest.mark.freecad(window=True, timeout=600)
+pytestmark = [pytest.mark.freecad(window=True, timeout=600), pytest.mark.all]
 
 
 def entry(name):
@@ -108,7 +108,6 @@ def known(prepared):
             if name.startswith("CurveUps_") and name != "CurveUps_Examples"}
 
 
-@pytest.mark.all
 def test_every_entry_of_the_menu(prepared, known, pages):
     menu = next(one for one in window.menuBar().findChildren(QtGui.QMenu)
                 if one.menuAction().text().replace("&", "") == "CurveUps")
@@ -118,18 +117,6 @@ def test_every_entry_of_the_menu(prepared, known, pages):
         check(known[way[-1]], lambda: choose(lambda: menu_bar("CurveUps"), *way), prepared, pages)
 
 
-@pytest.mark.all
-def test_every_button_of_the_toolbar(prepared, known, pages):
-    bars = [one for one in window.findChildren(QtGui.QToolBar) if one.windowTitle().startswith("CurveUps")]
-    buttons = [one for bar in bars for one in bar.findChildren(QtGui.QToolButton)
-               if one.isVisible() and one.defaultAction()]
-    assert buttons
-    for button in buttons:
-        text = button.defaultAction().text().replace("&", "")
-        check(known[text], lambda: click(button), prepared, pages)
-
-
-@pytest.mark.all
 def test_every_entry_of_the_menus_in_the_tree(prepared, pages):
     """Each command by the first object that offers it; of others one entry."""
     tried: set[str] = set()

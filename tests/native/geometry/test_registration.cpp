@@ -6,8 +6,6 @@
 #include <random>
 #include <vector>
 
-#include "curveups/core/checkpoint.hpp"
-#include "curveups/core/errors.hpp"
 #include "curveups/geometry/closest_points.hpp"
 #include "curveups/geometry/registration.hpp"
 #include "support/meshes.hpp"
@@ -136,12 +134,6 @@ TEST(Registration, HasNoDeviationsWhereAScanCanSlide) {
   const Registration found = register_scan(points, square, tile);
   EXPECT_TRUE(std::isnan(found.translation_deviation.x()));
   EXPECT_TRUE(std::isnan(found.rotation_deviation.z()));
-}
-
-TEST(Registration, StopsWhereItIsAskedTo) {
-  const Scan scan = scan_of(bent(), 100, 1e9, 0, 5);
-  const ProgressScope scope([](const std::string&, double) { return false; });
-  EXPECT_THROW(register_scan(scan.scanned, bent(), tile), Cancelled);
 }
 
 TEST(Registration, MarkersFindTheirPoseThoughSomeAreFarOff) {

@@ -218,19 +218,6 @@ TEST(FeatureLines, EndWhereLinesMeetAndClose) {
   for (std::size_t k = 0; k < lines.size(); ++k) EXPECT_EQ(lines[k].closed, k == 5) << k;
 }
 
-TEST(Remesh, IsTheSameOnAnyNumberOfThreads) {
-  const TriangleMesh target = builtin_target("saddle", 0.05);
-  const int before = thread_count();
-  set_thread_count(1);
-  const RemeshResult one = remesh(target, {7});
-  set_thread_count(3);
-  const RemeshResult three = remesh(target, {7});
-  set_thread_count(before);
-  EXPECT_EQ(one.mesh.V, three.mesh.V);
-  EXPECT_EQ(one.mesh.F, three.mesh.F);
-  EXPECT_EQ(one.chord_error, three.chord_error);
-}
-
 // Share of the worst face: twice its area over the square of its longest edge, seen from above.
 double worst_from_above(const TriangleMesh& mesh) {
   double worst = 1;
@@ -373,20 +360,6 @@ TEST(Remesh, RandomSheetsKeepEveryFace) {
     ++made;
   }
   EXPECT_GT(made, 100);
-}
-
-TEST(Remesh, LargeHalfSphereHasNoFoldedFace) {
-  // Of 192 mm radius, 11,000 tiles.
-  TriangleMesh target = builtin_target("half-sphere", 0.05);
-  target.V *= 4;
-  const RemeshResult result = remesh(target, {7});
-  EXPECT_GT(result.mesh.F.rows(), 10000);
-  for (int f = 0; f < result.mesh.F.rows(); ++f) {
-    const Vec3 a = result.mesh.V.row(result.mesh.F(f, 0)),
-               b = result.mesh.V.row(result.mesh.F(f, 1)),
-               c = result.mesh.V.row(result.mesh.F(f, 2));
-    ASSERT_GT(soundness(a, b, c, a + b + c), 0.1) << "face " << f;
-  }
 }
 
 TEST(FaceGuard, CutsMovesShortAndLetsOthersMend) {

@@ -186,15 +186,5 @@ TEST(CutSuggestions, FindNothingWhereNothingHelps) {
   EXPECT_TRUE(suggest_cuts(finger(6), no_cuts, p, options, {}).cuts.empty());
 }
 
-TEST(CutSuggestions, StopWhenAsked) {
-  const Parameters p;
-  CutSuggestionOptions options;
-  options.most = 5;
-  int calls = 0;
-  const CutSuggestions found = suggest_cuts(
-      finger(6), no_cuts, p, options, [&](const std::string&, double) { return ++calls < 3; });
-  EXPECT_TRUE(found.solve.stopped());
-}
-
 }  // namespace
 }  // namespace curveups

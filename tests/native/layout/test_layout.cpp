@@ -67,14 +67,6 @@ TEST(Layout, IsTheSameWhateverWayTheTargetLies) {
   EXPECT_NEAR(sum_a, sum_b, 1e-4 * sum_a);
 }
 
-TEST(Layout, RunsTwiceToTheSameBits) {
-  const Parameters p;
-  const DesignGeometry geometry = make_geometry(test::ripples(6), no_cuts, p);
-  const LayoutResult a = solve_layout(geometry, p, {}), b = solve_layout(geometry, p, {});
-  EXPECT_EQ(a.poses, b.poses);
-  EXPECT_EQ(a.q, b.q);
-}
-
 TEST(Layout, PiecesOfACutLieSideBySide) {
   const Parameters p;
   const TriangleMesh mesh = test::dome(6);
@@ -103,18 +95,6 @@ TEST(Layout, LipsOfASlitKeepTheGap) {
   const LayoutResult result = solve_layout(geometry, p, {});
   EXPECT_TRUE(result.solve.converged());
   expect_sound(geometry, result.poses, result.q, p);
-}
-
-TEST(Layout, StoppedWorkReturnsWhatItHas) {
-  const Parameters p;
-  const DesignGeometry geometry = make_geometry(test::dome(6), no_cuts, p);
-  int calls = 0;
-  const LayoutResult result =
-      solve_layout(geometry, p, [&](const std::string&, double) { return ++calls < 5; });
-  EXPECT_TRUE(result.solve.stopped());
-  EXPECT_FALSE(result.solve.converged());
-  EXPECT_EQ(result.solve.iterations, 4);
-  EXPECT_TRUE(result.poses.allFinite() && result.q.allFinite());
 }
 
 TEST(Layout, ProgressNeverGoesBack) {

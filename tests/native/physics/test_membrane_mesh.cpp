@@ -4,7 +4,6 @@
 #include <map>
 
 #include "curveups/core/errors.hpp"
-#include "curveups/core/parallel.hpp"
 #include "curveups/physics/membrane_mesh.hpp"
 #include "support/designs.hpp"
 #include "support/meshes.hpp"
@@ -210,19 +209,6 @@ TEST(MembraneMesh, HalvesSizesAroundChosenTilesOnly) {
   EXPECT_NEAR(area, patches, 1e-9 * patches);
   finer.halvings.back() = 30;  // more triangles than memory holds
   EXPECT_THROW(make_membrane_mesh(flat.domain, flat.corners, finer), InvalidInput);
-}
-
-TEST(MembraneMesh, IsTheSameWithOneThreadAndTwo) {
-  const Flat flat = make_flat(spread_design(hexagon(4, test::cap_height), 1.4, 1.0), Side::front);
-  const int threads = thread_count();
-  set_thread_count(1);
-  const MembraneMesh one = make_membrane_mesh(flat.domain, flat.corners, {});
-  set_thread_count(2);
-  const MembraneMesh two = make_membrane_mesh(flat.domain, flat.corners, {});
-  set_thread_count(threads);
-  EXPECT_EQ(one.triangles, two.triangles);
-  EXPECT_EQ(one.weights.weight, two.weights.weight);
-  EXPECT_EQ(one.weights.corner, two.weights.corner);
 }
 
 TEST(MembraneMesh, RefusesLengthsOfAnotherUnitInsteadOfEndlessWork) {
