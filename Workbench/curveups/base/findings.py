@@ -5,11 +5,19 @@ Sentences are made of it here alone, of the templates in sentences.py, in any la
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, Callable, Iterable, Mapping, Sequence
+from typing import Any, Callable, ClassVar, Iterable, Mapping, Sequence
 
 from .errors import CurveUpsError, tile_name
 from .sentences import MORE, SENTENCES, WORDS
-from .value import Value
+
+
+class Value:
+    """Base of frozen dataclasses that can be saved: they are known by their name to whoever saves them."""
+
+    known: ClassVar[dict[str, type]] = {}
+
+    def __init_subclass__(cls) -> None:
+        Value.known[cls.__name__] = cls
 
 
 @dataclass(frozen=True)

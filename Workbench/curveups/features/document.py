@@ -26,8 +26,8 @@ from .figures import write_figures
 from .keys import Keys, digest_of_edges, read_keys, write_keys
 from .layout import LayoutProxy, write_layout
 from .live import design_project_of, project_of, settings_of
-from .proxy import SLOTS, design_of, designs, show, write
-from .target import is_target
+from .proxy import SLOTS, Proxy, design_of, designs, show, type_of, write
+from .target import TYPE as TARGET, is_target, notice
 from .verification import VerificationProxy, write_verification
 
 __all__ = ["design_of", "design_project_of", "designs", "has_layout", "new_design",
@@ -290,3 +290,20 @@ _MAKERS: dict[str, Callable[[Any], Any]] = {
     "Layout": lambda document: _add(document, "Layout", LayoutProxy),
     "Verification": lambda document: _add(document, "Verification", VerificationProxy),
     **{slot: partial(_add_body, slot=slot) for slot in KINDS}}
+
+
+TYPES: dict[str, type[Proxy]] = {proxy.TYPE: proxy for proxy in (
+    DesignProxy, CutsProxy, LayoutProxy, VerificationProxy, BodiesProxy)}
+
+
+def opened(document: Any) -> None:
+    """Attaches lost proxies, shows all objects of ours, and compares targets with their sources."""
+    lost = [obj for obj in document.Objects if type_of(obj) in TYPES and obj.Proxy is None]
+    for obj in lost:
+        TYPES[type_of(obj)](obj)
+    for obj in document.Objects:
+        if type_of(obj) == TARGET:
+            notice(obj)
+        show(obj)
+    for design in designs(document) if lost else ():
+        design.Proxy.refresh(design)

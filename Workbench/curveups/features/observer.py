@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Watches documents from FreeCAD's start: what was opened is made whole (registry.py).
+"""Watches documents from FreeCAD's start: what was opened is made whole (document.py).
 
 Loads nothing heavy: documents of others cost a look at their objects' types.
 """
@@ -35,9 +35,9 @@ class Restorer:
 
     def slotActivateDocument(self, document: Any) -> None:
         if any(_is_ours(obj) for obj in document.Objects):
-            from . import registry
+            from . import document as documents
 
-            registry.opened(document)
+            documents.opened(document)
 
 
 def _is_ours(obj: Any) -> bool:

@@ -2,7 +2,7 @@
 """What all document objects of ours share: a stored type, and a proxy that can be attached anew.
 
 A FreeCAD without this workbench drops proxies when it saves. The text in `CurveUpsType` stays, and
-registry.py makes the proxy from it when the document is opened.
+document.py makes the proxy from it when the document is opened.
 """
 
 from __future__ import annotations

@@ -10,7 +10,7 @@ from typing import Any, Mapping, Optional
 from ..base.findings import Finding
 from ..base.parameters import parameter
 from ..project.keys import Record, changes
-from ..project.verdict import HOLDS
+from ..project.project import HOLDS
 from ..stages import BY_NAME, RISEN, SETTLED, label_of
 from . import properties
 from .keys import NONE, Keys, digest_of_edges, read_keys

@@ -22,11 +22,9 @@ from ..report.print_pictures import print_view
 from ..report.shop import latex
 from ..report.tables import table
 from . import drawing, latex as template
-from .frame import frame
 from .kit import Kit
 from .ring_sheet import section
-from .tile_map import tile_map
-from .trim import trim_view
+from .maps import frame, tile_map, trim_view
 
 
 def make(kit: Kit, kind: str) -> bytes:

@@ -11,12 +11,12 @@ from typing import Any, Callable, Mapping, Optional
 
 import numpy as np
 
-from ..base.edges import sides_of_edges
 from ..base.errors import Stopped
 from ..base.language import ENGLISH, Language
 from ..base.native import native
 from ..project.project import Results
 from ..report.exports import File, doubtful, plain
+from ..stages.cut_request import sides_of_edges
 from ..stages.solids import read_printer
 from .beds import Beds, bed_name, beds
 from .former import Former

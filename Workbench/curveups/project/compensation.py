@@ -6,12 +6,11 @@ repaired and settled again."""
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Optional
 
 import numpy as np
 
 from ..base.errors import CurveUpsError, Stopped
-from ..base.motions import rigid_motion
 from ..base.native import native
 from ..stages.stage import Job
 
@@ -86,3 +85,14 @@ def _relaid(design: Any, surface: np.ndarray, job: Job) -> tuple[Any, bool]:
                          wanted)
     repaired = native.repair_design(laid, progress=job)
     return repaired.design, repaired.status == "valid"
+
+
+def rigid_motion(source: np.ndarray, target: np.ndarray, weight: Optional[np.ndarray] = None
+                 ) -> tuple[np.ndarray, np.ndarray]:
+    """R, t with the least sum of squares of R x + t - y over pairs of points, n x 3 (Kabsch, Acta
+    Cryst. A 32, 1976). weight: of each pair; all alike."""
+    w = np.full(len(source), 1.0) if weight is None else weight
+    a, b = w @ source / w.sum(), w @ target / w.sum()
+    u, _, vt = np.linalg.svd((w[:, None] * (target - b)).T @ (source - a))
+    R = u @ np.diag([1.0, 1.0, np.linalg.det(u @ vt)]) @ vt
+    return R, b - R @ a

@@ -13,8 +13,8 @@ from typing import Any, Callable, Collection, Hashable, Mapping, Sequence
 import numpy as np
 
 from ..base.errors import CurveUpsError
+from ..base.findings import Value
 from ..base.native import native, translated
-from ..base.value import Value
 from ..stages.stage import digest
 from .project import Made
 

@@ -11,7 +11,6 @@ from ..base.errors import tile_name
 from ..base.findings import Finding
 from ..base.sentences import ESTIMATE
 from ..project.project import Results
-from ..stages.advice import of_limits
 from ..stages.feasibility import Obstacle, TileFigure
 from . import html, tables
 
@@ -71,7 +70,7 @@ def _row(figure: TileFigure, blocked: tuple[Obstacle, ...]) -> Row:
 def advice(results: Results) -> list[Finding]:
     """On the limits of sizes."""
     get = results.parameters.get
-    return list(of_limits(results["sizes"], get("L"), get("H_body")))
+    return list(results["sizes"].findings(get("L"), get("H_body")))
 
 
 def _reasons(blocked: Sequence[Obstacle]) -> list[str]:

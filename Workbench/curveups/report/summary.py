@@ -7,7 +7,7 @@ import json
 import sys
 from pathlib import Path
 
-from ..project.verdict import Verdict
+from ..project.project import Verdict
 
 
 def summary(folder: Path) -> str:

@@ -142,3 +142,13 @@ def mesh_edges(F: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     sides = np.sort(F[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
     pairs, faces = np.unique(sides, axis=0, return_counts=True)
     return pairs, faces
+
+
+def sides_of_edges(F: np.ndarray) -> dict[tuple[int, int], list[tuple[int, int]]]:
+    """The tiles at each edge (its vertices, the lower first), with which side (0 to 2) of theirs it is."""
+    sides: dict[tuple[int, int], list[tuple[int, int]]] = {}
+    for tile, face in enumerate(np.asarray(F).tolist()):
+        for k in range(3):
+            a, b = face[k], face[(k + 1) % 3]
+            sides.setdefault((min(a, b), max(a, b)), []).append((tile, k))
+    return sides

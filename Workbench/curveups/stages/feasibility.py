@@ -15,10 +15,9 @@ from typing import Any, Iterator, Optional
 
 import numpy as np
 
-from ..base.findings import Finding
+from ..base.findings import Finding, Value
 from ..base.native import native
 from ..base.sentences import MARGINS
-from ..base.value import Value
 from .pin_smoothing import smooth_for_pins
 from .stage import Inputs, Job, Result, Stage, digest
 

@@ -8,9 +8,8 @@ from typing import Any, Optional, Sequence
 
 import numpy as np
 
-from ..base.findings import Finding
+from ..base.findings import Finding, Value
 from ..base.native import native
-from ..base.value import Value
 from .cut_request import interior_edges
 from .stage import Inputs, Job, Result, Stage
 

@@ -17,10 +17,9 @@ from typing import Any, Callable, ClassVar, Mapping, Optional, Sequence, Union
 import numpy as np
 
 from ..base.errors import CurveUpsError, Stopped
-from ..base.findings import Finding
+from ..base.findings import Finding, Value
 from ..base.parameters import table
 from ..base.progress import Progress
-from ..base.value import Value
 
 
 @dataclass(frozen=True)

@@ -20,8 +20,8 @@ from ..base.errors import CurveUpsError, Stopped, tile_name
 from ..base.findings import Finding, Style
 from ..base.sentences import CONTEXT
 from ..features.properties import named
+from .overlays import select_tiles
 from .qt import RESOURCES, QtCore, QtGui, QtWidgets, ink_and_paper, translate
-from .selection import select_tiles
 from .units import quantity
 
 _panel: Optional[Callable[[str], None]] = None  # shows a line of rich text

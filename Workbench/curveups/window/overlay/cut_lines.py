@@ -8,7 +8,7 @@ from typing import Any, Iterable, Mapping, Sequence
 import numpy as np
 from pivy import coin
 
-from ...base.edges import sides_of_edges
+from ...stages.cut_request import sides_of_edges
 from .nodes import fill, unlit, unpickable
 
 # Apart in lightness as well as in hue.

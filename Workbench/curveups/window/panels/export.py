@@ -14,6 +14,7 @@ from ...base.errors import CurveUpsError
 from ...base.native import native
 from ...features import actions
 from ...features.document import settings_of
+from ...features.proxy import HIDDEN
 from ...report.exports import Choice, choices, file_names
 from .. import runs
 from ..notice import errors_shown, link, shown
@@ -21,8 +22,50 @@ from ..qt import QtCore, QtWidgets, translate
 from ..run import LIVE, Task
 from ..units import show_number
 from . import preferences
-from .folder_row import FolderRow
 from .panel import Panel, enable, fit_columns
+
+
+class FolderRow:
+    """The view of the design keeps the folder, as it keeps what the overlay shows: no step of undo."""
+
+    def __init__(self, form: Any, design: Any, kept: str, what: str):
+        """kept: the property of the view. what: follows the design's name in that of the folder."""
+        self._form, self._design, self._kept = form, design, kept
+        form.folder.textChanged.connect(lambda text: form.folder.setToolTip(text))  # it may be long
+        form.folder.setText(self._first(what))
+        form.browse.clicked.connect(lambda *_: self._browse())
+
+    @property
+    def path(self) -> str:
+        """Raises CurveUpsError where there is none."""
+        folder = str(self._form.folder.text())
+        if not folder:
+            raise CurveUpsError(translate("CurveUpsExport", "there is no folder"), "",
+                                translate("CurveUpsExport", "choose one"))
+        return folder
+
+    def keep(self) -> None:
+        """For the next time."""
+        view = self._design.ViewObject
+        if self._kept not in view.PropertiesList:
+            view.addProperty("App::PropertyString", self._kept, "Overlay", "Where files went last.", HIDDEN)
+        setattr(view, self._kept, self._form.folder.text())
+
+    def _first(self, what: str) -> str:
+        """Where the design's files went last; beside its document at first, or where that folder is of
+        another machine."""
+        kept = Path(getattr(self._design.ViewObject, self._kept, ""))
+        if kept.name and kept.parent.is_dir():
+            return str(kept)
+        saved = self._design.Document.FileName
+        place = Path(saved).parent if saved else Path.home()
+        return str(place / f"{actions.file_name(self._design)}-{what}")
+
+    def _browse(self) -> None:
+        folder = QtWidgets.QFileDialog.getExistingDirectory(
+            self._form, translate("CurveUpsExport", "Folder for the files"), self._form.folder.text())
+        if folder:
+            self._form.folder.setText(str(folder))
 
 
 class ExportPanel(Panel):

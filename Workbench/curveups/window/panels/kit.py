@@ -17,7 +17,7 @@ from .. import runs
 from ..notice import errors_shown, link, shown
 from ..qt import translate
 from ..run import LIVE, Task
-from .folder_row import FolderRow
+from .export import FolderRow
 from .panel import Panel, enable
 
 

@@ -17,8 +17,8 @@ from ...base.findings import first_of_each_kind
 from ...features import properties
 from ...features.live import stored, warnings_of
 from ...features.status import CURRENT, INVALID, OUT_OF_DATE
+from ...project.project import HOLDS
 from ...project.size_choice import AUTOMATIC
-from ...project.verdict import HOLDS
 from ...project.worker import Status
 from ...stages import label_of
 from ...stages.settle import Range

@@ -6,11 +6,12 @@ from __future__ import annotations
 from typing import Any
 
 from ...base.errors import tile_name
-from ...features.proxy import SLOTS
+from ...features.proxy import SLOTS, type_of
 from .. import overlays
 from ..overlay import watching
 from ..overlay.overlay import Overlay
-from .view import View
+from . import following
+from .part import CutsView, LayoutView, ShapeView, VerificationView, View
 
 
 class DesignView(View):
@@ -76,3 +77,26 @@ class DesignView(View):
 def _only_names(obj: Any) -> bool:
     """Whether an object may lose what it links to: a group, or a sheet that reads it."""
     return obj.hasExtension("App::GroupExtension") or obj.TypeId == "Spreadsheet::Sheet"
+
+
+_KINDS = {"CurveUps::Design": DesignView, "CurveUps::Cuts": CutsView, "CurveUps::Layout": LayoutView,
+          "CurveUps::Verification": VerificationView, "CurveUps::Target": ShapeView,
+          "CurveUps::Bodies": ShapeView}
+
+
+def attach(obj: Any) -> None:
+    """Gives an object of ours its view, where it has a Python one and lacks it."""
+    following.install()
+    view, kind = getattr(obj, "ViewObject", None), _KINDS.get(type_of(obj))
+    if view is None or kind is None or "Proxy" not in view.PropertiesList:
+        return
+    if isinstance(view.Proxy, kind):
+        return
+    attached = view.Proxy is not None  # in a FreeCAD without this workbench; FreeCAD attaches a view once
+    kind(view)
+    if attached:
+        view.Proxy.attach(view)
+    if attached and kind is not ShapeView:
+        view.DisplayMode = view.Proxy.getDisplayModes(view)
+        view.Visibility = False
+        view.Visibility = True
