@@ -66,7 +66,8 @@ class Finding(Value):
     def data(self) -> dict[str, Any]:
         """For JSON."""
         return {"kind": self.kind, "tiles": self.tiles,
-                "figures": {name: _data(figure) for name, figure in self.figures.items()}}
+                "figures": {name: _plain(figure, lambda finding: finding.data)
+                            for name, figure in self.figures.items()}}
 
     @property
     def group(self) -> str:
@@ -187,17 +188,11 @@ def _figure(figure: Any) -> Any:
     return figure if isinstance(figure, (int, float, str)) else Finding.of(figure)
 
 
-def _plain(figure: Any) -> Any:
-    """For JSON."""
+def _plain(figure: Any, of: Callable[["Finding"], Any] = str) -> Any:
+    """For JSON; of: what stands for a finding."""
     if isinstance(figure, tuple):
-        return [_plain(one) for one in figure]
-    return str(figure) if isinstance(figure, Finding) else figure
-
-
-def _data(figure: Any) -> Any:
-    if isinstance(figure, tuple):
-        return list(map(_data, figure))
-    return figure.data if isinstance(figure, Finding) else figure
+        return [_plain(one, of) for one in figure]
+    return of(figure) if isinstance(figure, Finding) else figure
 
 
 def _read(figure: Any) -> Any:

@@ -174,7 +174,7 @@ def run(arguments: Optional[list[str]]) -> int:
             # Loaded only now, so that --help works where the native module is broken.
             from . import commands
 
-            return commands.COMMANDS[options.command](options, commands.Session(reporter))
+            return commands.COMMANDS[options.command](options, reporter)
         finally:
             reporter.close()
 

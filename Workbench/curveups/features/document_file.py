@@ -14,14 +14,12 @@ from pathlib import Path
 from typing import Any, Iterator, Sequence
 from xml.sax.saxutils import quoteattr
 
-import numpy as np
-
 from ..base import freecad_session
 from ..base.errors import CurveUpsError
 from ..base.native import native
 from ..project.project import Results
 from . import document as documents
-from .bodies import KINDS
+from .parts import KINDS
 
 Box = tuple[Sequence[float], Sequence[float]]  # least and largest corner, mm
 
@@ -158,7 +156,8 @@ def write_document(results: Results, path: Path) -> dict[str, str]:
     colours = {name: native.COLOURS[kind] for name, kind in {**KINDS, "Target": "tiles"}.items()}
     views = [View(name, value, colours.get(name), MESH_FLAT_LINES if name == "Target" else SHADED)
              for name, value in shown.items()]
-    box = _print_box(results["solids"].model) if shown["Tiles"] else _box(results.design.V)
+    V = results.design.V
+    box = _print_box(results["solids"].model) if shown["Tiles"] else (V.min(axis=0), V.max(axis=0))
     finish_document(path, views, box)
     return {"freecad": freecad_session.version(freecad), "occt": part.OCC_VERSION}
 
@@ -179,7 +178,3 @@ def _print_box(model: Any) -> Box:
     """The print stands on z = 0, centred on the origin."""
     x, y, z = model.bbox
     return (-x / 2, -y / 2, 0.0), (x / 2, y / 2, z)
-
-
-def _box(V: np.ndarray) -> Box:
-    return V.min(axis=0), V.max(axis=0)

@@ -34,14 +34,10 @@ class Restorer:
     slotAbortTransaction = slotUndoDocument
 
     def slotActivateDocument(self, document: Any) -> None:
-        if any(_is_ours(obj) for obj in document.Objects):
+        if any("CurveUpsType" in obj.PropertiesList for obj in document.Objects):
             from . import document as documents
 
             documents.opened(document)
-
-
-def _is_ours(obj: Any) -> bool:
-    return "CurveUpsType" in obj.PropertiesList
 
 
 def install() -> None:

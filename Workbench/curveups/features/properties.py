@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import re
-from functools import lru_cache
 from typing import Any, Iterator, Optional
 
 from ..base.errors import CurveUpsError
@@ -50,12 +49,7 @@ def group_of(row: Parameter) -> str:
 
 def parameter_of(name: str) -> Optional[Parameter]:
     """The row that a property is of; None for others."""
-    return _by_property().get(name)
-
-
-@lru_cache(maxsize=None)
-def _by_property() -> dict[str, Parameter]:
-    return {property_name(row.name): row for row in rows()}
+    return next((row for row in rows() if property_name(row.name) == name), None)
 
 
 def values_of(obj: Any) -> dict[str, Any]:
@@ -85,11 +79,6 @@ def tip_of(row: Any) -> str:
     """What a document says of a parameter's property. Windows translate it whole, in the context
     App::Property as FreeCAD's property editor does."""
     return f"{row.meaning}{_range(row)} {WHEN[row.effect]}"
-
-
-def lacks_parameters(obj: Any) -> bool:
-    """True where `obj` lacks the property of a parameter: it is new."""
-    return any(property_name(row.name) not in obj.PropertiesList for row in rows())
 
 
 def write_parameters(obj: Any, parameters: Any) -> None:

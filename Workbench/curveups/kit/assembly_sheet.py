@@ -17,14 +17,14 @@ from ..base import profiles
 from ..base.language import Text
 from ..report import pictures
 from ..report.assembly import HOLE, glue_asked, glue_volumes, steps
+from ..report.data import table
 from ..report.html import page, picture
 from ..report.print_pictures import print_view
 from ..report.shop import latex
-from ..report.tables import table
 from . import drawing, latex as template
 from .kit import Kit
-from .ring_sheet import section
 from .maps import frame, tile_map, trim_view
+from .ring_sheet import section
 
 
 def make(kit: Kit, kind: str) -> bytes:

@@ -132,12 +132,6 @@ class Kit:
         """The tiles' native TileShapes."""
         return native.tile_shapes(self.results.design)
 
-    @cached_property
-    def weak_tiles(self) -> np.ndarray:
-        """Rows of F of the weakest contacts, ascending."""
-        found = {tile for one in self.report.get("worst_contacts", ()) for tile in one["tiles"]}
-        return np.array(sorted(found), int)
-
 
 def _far_apart(places: Mapping[tuple[int, ...], np.ndarray], count: int) -> list[tuple[int, ...]]:
     """So many of the keys, or all: the first, then always the one that is farthest from those before."""

@@ -12,8 +12,9 @@ from matplotlib.figure import Figure
 from ..base.language import Text
 from ..report import pictures
 from ..report.assembly import TRIM
+from ..stages.cut_request import mesh_edges
 from .beds import FIT
-from .drawing import INCH, LAYERS, Drawing, draw, made, svg
+from .drawing import INCH, LAYERS, Drawing, draw, made, show_part
 from .kit import Kit
 
 LEAST_EDGE = 14.0  # mm of a tile on the map, so that its number can be read
@@ -21,13 +22,8 @@ LETTERS = 2.0      # mm
 MAP_MARGIN = 8.0
 
 
-def tile_map_file(kit: Kit) -> bytes:
-    """As SVG; tiles of the weakest contacts on the layer cut."""
-    return svg(tile_map(kit))
-
-
 def tile_map(kit: Kit) -> Drawing:
-    """The front on the left, the back on the right."""
+    """The front on the left, the back on the right; tiles of the weakest contacts on the layer cut."""
     corners = np.asarray(kit.results.design.T)
     edge = float(np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2).mean())
     corners = corners * max(1.0, LEAST_EDGE / edge)
@@ -35,7 +31,7 @@ def tile_map(kit: Kit) -> Drawing:
     width, height = map(float, high - low)
     size = (2 * width + 3 * MAP_MARGIN, height + 3 * MAP_MARGIN)
     drawing = Drawing(kit.say("{title}, tiles", title=kit.title), size)
-    weak = set(kit.weak_tiles.tolist())
+    weak = {tile for one in kit.report.get("worst_contacts", ()) for tile in one["tiles"]}
     front = corners - low + MAP_MARGIN
     back = front * (-1, 1) + (2 * width + 3 * MAP_MARGIN, 0)
     drawing.text(MAP_MARGIN, height + 2.2 * MAP_MARGIN, 3.0,
@@ -147,10 +143,9 @@ def _outline(pins: np.ndarray, loop: list[Edge]) -> np.ndarray:
 
 def _ends_of_cuts(design: Any) -> np.ndarray:
     """Where cuts end inside of the sheet, by the mean of the corners that meet there."""
-    cuts, F, T = np.asarray(design.cuts), np.asarray(design.F), np.asarray(design.T)
-    ends, times = np.unique(cuts, return_counts=True)
-    edges = np.sort(np.stack([F, np.roll(F, -1, axis=1)], axis=2).reshape(-1, 2), axis=1)
-    edges, sides = np.unique(edges, axis=0, return_counts=True)
+    F, T = np.asarray(design.F), np.asarray(design.T)
+    ends, times = np.unique(np.asarray(design.cuts), return_counts=True)
+    edges, sides = mesh_edges(F)
     rim = np.unique(edges[sides == 1])
     found = [T[F == vertex].mean(0) for vertex in ends[times == 1] if vertex not in rim]
     return np.array(found).reshape(-1, 2)
@@ -163,10 +158,8 @@ def trim_view(kit: Kit, width: float = 160.0) -> bytes:
     figure = Figure(figsize=(width / INCH, 0.55 * width / INCH))
     flat = figure.add_axes([0, 0.02, 0.5, 0.9])
     flat.set_title(kit.say("on the stretched sheet"))
-    flat.set_xlim(0, drawing.size[0])
-    flat.set_ylim(0, drawing.size[1])
+    show_part(flat, (0, 0, *drawing.size))
     flat.set_aspect("equal")
-    flat.axis("off")
     draw(flat, drawing, scale)
     rims = [(*edge, colour) for loop in boundary(kit.shapes, len(design.F)) for edge in loop]
     for bottom, turned, title in ((0.49, False, kit.say("on the shape, from two sides")), (0.02, True, "")):
@@ -226,11 +219,8 @@ def _grown(loop: np.ndarray, by: float) -> np.ndarray:
 
 def outlines_of(model: Any, kind: str) -> list[np.ndarray]:
     """Of each body of a native PrintModel, seen from above: convex hulls, n x 2 mm."""
-    points, faces, body = model.mesh(kind)
-    return [_hull(points[np.unique(faces[body == one])][:, :2]) for one in np.unique(body)]
-
-
-def _hull(points: np.ndarray) -> np.ndarray:
     from scipy.spatial import ConvexHull  # which other commands would pay
 
-    return np.asarray(points[ConvexHull(points).vertices])
+    points, faces, body = model.mesh(kind)
+    seen = (points[np.unique(faces[body == one])][:, :2] for one in np.unique(body))
+    return [np.asarray(corners[ConvexHull(corners).vertices]) for corners in seen]

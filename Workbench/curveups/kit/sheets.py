@@ -11,7 +11,7 @@ from ..base.language import Text
 from ..report.print_pictures import draw_prints
 from ..report.shop import quote, rules
 from . import assembly_sheet, latex, maps, ring_sheet
-from .drawing import BORDER, PAPERS, book, sheet, write
+from .drawing import BORDER, PAPERS, book, sheet, svg, write
 from .former import former_stl
 from .kit import Kit
 
@@ -84,7 +84,7 @@ def files(kit: Kit) -> dict[str, Make]:
             made[f"ring-{side}.{kind}"] = partial(ring_sheet.make, kit, side, kind)
     for kind in ("html", "pdf"):
         made[f"assembly.{kind}"] = partial(assembly_sheet.make, kit, kind)
-    made["tiles.svg"] = partial(maps.tile_map_file, kit)
+    made["tiles.svg"] = lambda: svg(maps.tile_map(kit))
     for kind in ("pdf", "dxf", "svg"):
         made[f"maps.{kind}"] = partial(maps.trim_file, kit, kind)
     made["former.stl"] = partial(former_stl, kit.formers)

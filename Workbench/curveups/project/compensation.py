@@ -6,7 +6,7 @@ repaired and settled again."""
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Optional
+from typing import Any
 
 import numpy as np
 
@@ -87,12 +87,10 @@ def _relaid(design: Any, surface: np.ndarray, job: Job) -> tuple[Any, bool]:
     return repaired.design, repaired.status == "valid"
 
 
-def rigid_motion(source: np.ndarray, target: np.ndarray, weight: Optional[np.ndarray] = None
-                 ) -> tuple[np.ndarray, np.ndarray]:
+def rigid_motion(source: np.ndarray, target: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """R, t with the least sum of squares of R x + t - y over pairs of points, n x 3 (Kabsch, Acta
-    Cryst. A 32, 1976). weight: of each pair; all alike."""
-    w = np.full(len(source), 1.0) if weight is None else weight
-    a, b = w @ source / w.sum(), w @ target / w.sum()
-    u, _, vt = np.linalg.svd((w[:, None] * (target - b)).T @ (source - a))
+    Cryst. A 32, 1976)."""
+    a, b = source.mean(0), target.mean(0)
+    u, _, vt = np.linalg.svd((target - b).T @ (source - a))
     R = u @ np.diag([1.0, 1.0, np.linalg.det(u @ vt)]) @ vt
     return R, b - R @ a

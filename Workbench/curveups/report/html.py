@@ -11,11 +11,10 @@ from typing import Any, Iterable, Mapping, Optional, Sequence, Union
 from ..base.errors import tile_list, tile_name
 from ..base.parameters import table as parameter_table
 from ..project.project import HOLDS, Results
-from ..stages.stage import Picture
 from .assembly import steps
+from .data import show, table
 from .moving import states_table
 from .shop import latex, print_picture, quote, rules
-from .tables import show, table
 
 _STYLE = """
 body { font: 15px/1.5 system-ui, sans-serif; color: #2b2620; background: #faf8f4; margin: 0; }
@@ -50,12 +49,6 @@ def view(name: str, **data: Any) -> Drawn:
     return getattr(import_module(f".{module}", __package__), function)(**data)
 
 
-def _pictures(results: Results) -> list[Picture]:
-    """What is printed belongs to the shop's block, which comes first."""
-    printed = print_picture(results)
-    return [*([printed] if printed else []), *results.pictures()]
-
-
 def pictured(name: str, caption: str, **data: Any) -> list[str]:
     """A picture with its caption, as parts of a page."""
     return [picture(view(name, **data), caption)]
@@ -66,7 +59,8 @@ def build_html(results: Results, report: dict) -> str:
     parts = [f"<h1>{escape(report['title'])}</h1>", _verdict(report)]
     printed = "print" in report and "sheets" in report
     parts += _shop(report, results.parameters) if printed else []
-    for one in _pictures(results):
+    of_print = print_picture(results)  # belongs to the shop's block
+    for one in (*([of_print] if of_print else []), *results.pictures()):
         parts += [f"<h2>{escape(one.heading)}</h2>"] if one.heading else []
         parts += pictured(one.view, one.caption, **one.data)
     parts += _cuts(report.get("suggested_cuts", ()))

@@ -11,7 +11,7 @@ from typing import Any, Mapping
 import numpy as np
 
 from ..stages.actuation import Actuation, moved, states
-from .tables import table
+from .data import table
 
 OPEN = (4, 75)  # hue and saturation (%) of tiles whose contacts stay open
 WORDS = {"by_itself": "released", "shaken": "shaken", "pressed": "pressed and let go"}

@@ -180,9 +180,6 @@ class Clearances(Result):
         return {"clearances": {"min_flat_mm": self.flat_mm if math.isfinite(self.flat_mm) else None,
                                "max_overlap_actuated_mm3": self.overlap_mm3}}
 
-    def reasons(self) -> Sequence[Finding]:
-        return self.broken
-
 
 def _measure_clearances(inputs: Inputs, job: Job) -> Clearances:
     design = inputs["design"].design.with_parameters(inputs.parameters)

@@ -33,14 +33,11 @@ class Division(Result):
     given: np.ndarray
     piece: np.ndarray
     asked: str = "1"
-    found: tuple[Finding, ...] = ()   # warnings
+    warned: tuple[Finding, ...] = ()
 
     @property
     def content(self) -> str:
         return digest(self.edges, self.given)
-
-    def warnings(self) -> Sequence[Finding]:
-        return self.found
 
     def rows(self, seconds: float) -> Sequence[Row]:
         return () if self.asked == "1" else (Row("pieces", seconds),)
@@ -90,7 +87,7 @@ def _divided(given: np.ndarray, V: np.ndarray, F: np.ndarray, count: int, asked:
 
 
 def _warned(division: Division, kind: str, **figures: Any) -> Division:
-    return replace(division, found=(Finding.about(kind, **figures),))
+    return replace(division, warned=(Finding.about(kind, **figures),))
 
 
 def _count(division: Division) -> int:

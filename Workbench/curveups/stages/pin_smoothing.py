@@ -24,7 +24,7 @@ class PinSmoothing(Result):
     """V: N x 3, where the tiles' vertices are from now on."""
 
     V: np.ndarray
-    found: tuple[Finding, ...]          # warnings
+    warned: tuple[Finding, ...]
     asked: bool = False
     moved: Optional[dict] = None        # the block of report.json, where vertices moved
 
@@ -34,9 +34,6 @@ class PinSmoothing(Result):
 
     def report(self) -> dict[str, Any]:
         return {} if self.moved is None else {"pin_smoothing": self.moved}
-
-    def warnings(self) -> Sequence[Finding]:
-        return self.found
 
     def rows(self, seconds: float) -> Sequence[Row]:
         return (Row("pin smoothing", seconds),) if self.asked else ()

@@ -42,9 +42,6 @@ class Repair(Result):
     def advice(self) -> Sequence[Finding]:
         return [contact["reason"] for contact in self.blocked]
 
-    def warnings(self) -> Sequence[Finding]:
-        return self.warned
-
     def rows(self, seconds: float) -> Sequence[Row]:
         return (Row("refine", seconds, len(self.block["steps"])),) if self.block else ()
 

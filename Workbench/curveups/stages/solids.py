@@ -35,9 +35,6 @@ class Bodies(Result):
     def reasons(self) -> Sequence[Finding]:
         return (self.failure,) if self.failure else ()
 
-    def warnings(self) -> Sequence[Finding]:
-        return self.warned
-
     def rows(self, seconds: float) -> Sequence[Row]:
         return (Row("solids", seconds),) if self.model else ()
 
@@ -113,12 +110,6 @@ class Check(Result):
         if not self.print_block:
             return {}
         return {"solids": dict(self.solids_block), "print": dict(self.print_block)}
-
-    def reasons(self) -> Sequence[Finding]:
-        return self.broken
-
-    def warnings(self) -> Sequence[Finding]:
-        return self.warned
 
     def rows(self, seconds: float) -> Sequence[Row]:
         return (Row("check", seconds),) if self.print_block else ()

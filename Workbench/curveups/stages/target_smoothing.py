@@ -25,7 +25,7 @@ class TargetSmoothing(Result):
     V: np.ndarray
     asked: bool = False                   # whether mending was
     block: Optional[dict] = None          # of report.json, where mending was asked for
-    found: tuple[Finding, ...] = ()       # warnings
+    warned: tuple[Finding, ...] = ()
     F: Optional[np.ndarray] = None        # M x 3, where anything is to be shown of it
     distance: Optional[np.ndarray] = None  # N, mm, of the vertices from what was given
 
@@ -35,9 +35,6 @@ class TargetSmoothing(Result):
 
     def report(self) -> dict[str, Any]:
         return {} if self.block is None else {"mending": self.block}
-
-    def warnings(self) -> Sequence[Finding]:
-        return self.found
 
     def rows(self, seconds: float) -> Sequence[Row]:
         return (Row("target smoothing", seconds),) if self.asked else ()
@@ -61,7 +58,8 @@ def _run(inputs: Inputs, job: Job) -> TargetSmoothing:
     made = smooth_target(target.V, target.F, parameters, job)
     move = np.asarray(made.move, float)
     moved, largest = int((move > 0).sum()), float(move.max(initial=0.0))
-    border = move[_border(target.F)]
+    pairs, faces = mesh_edges(target.F)
+    border = move[np.unique(pairs[faces == 1])]
     tiles = sorted({int(pin.tile) for pin in made.fixed})
     actions = list(target.actions)
     if moved:
@@ -92,12 +90,6 @@ def _far(V: np.ndarray, target: Any, most: float, job: Job) -> list[Finding]:
         return []
     far = native.distances(V[target.F].mean(axis=1), *surface) > most
     return [Finding.about("mending.far", np.flatnonzero(far), distance=float(hausdorff), most=most)]
-
-
-def _border(F: np.ndarray) -> np.ndarray:
-    """The vertices of the boundary."""
-    pairs, faces = mesh_edges(F)
-    return np.unique(pairs[faces == 1])
 
 
 STAGE = Stage("target smoothing", ("target",), frozenset({"target", "tiles"}), _run,

@@ -59,9 +59,6 @@ class Verification(Result):
     def reasons(self) -> Sequence[Finding]:
         return (self.failure,) if self.failure else self.found
 
-    def warnings(self) -> Sequence[Finding]:
-        return self.warned
-
     def rows(self, seconds: float) -> Sequence[Row]:
         if not self.judged:
             return ()

@@ -14,19 +14,18 @@ from ...features import actions
 from ...features.document import has_layout
 from ...features.status import has_tiles
 from .. import runs
-from ..macro import call, named
 from ..overlays import overlay_of
 from ..panels.actuate import ActuatePanel
 from ..panels.check import CheckPanel
 from ..panels.cuts import CutsPanel
-from ..panels.export import ExportPanel
-from ..panels.kit import KitPanel
+from ..panels.export import ExportPanel, KitPanel
 from ..panels.overlay import OverlayPanel
 from ..panels.panel import Panel, obstacle, show
 from ..panels.solve import SolvePanel
 from ..panels.worst_contacts import WorstContactsPanel
 from ..qt import QT_TRANSLATE_NOOP, QtCore, QtGui, translate
 from ..run import LIVE, Task
+from ..runs import call, named
 from .command import DesignCommand, Reason, Work
 from .new_design import ask_for_file, selected_surface
 

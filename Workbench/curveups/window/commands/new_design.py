@@ -9,13 +9,13 @@ import FreeCAD
 import FreeCADGui
 
 from ...base.native import native, problem
-from ..macro import assign, call, named, new_document
 from ..notice import errors_shown
 from ..panels.panel import show
 from ..panels.preferences import remembered
 from ..panels.solve import SolvePanel
 from ..qt import QT_TRANSLATE_NOOP, QtWidgets, translate
 from ..run import LIVE
+from ..runs import assign, call, named, new_document
 from .command import Command
 
 _FORMATS = "*.stl *.obj *.ply *.off *.3mf *.step *.stp *.iges *.igs *.brep *.brp"

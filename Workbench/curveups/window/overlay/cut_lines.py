@@ -38,7 +38,8 @@ class CutLines:
         scene = self._overlay.scene
         if scene is None:
             return
-        self._know(scene.F)
+        if scene.F is not self._F:
+            self._F, self._sides = scene.F, sides_of_edges(scene.F)
         figures = self._overlay.figures()
         for kind, (points, lines) in self._lines.items():
             sides = [side for a, b in kinds.get(kind, ())
@@ -48,10 +49,6 @@ class CutLines:
             lines.numVertices.setNum(0)
             fill(points.point, places)
             fill(lines.numVertices, np.full(len(places) // 2, 2, np.int32))
-
-    def _know(self, F: np.ndarray) -> None:
-        if F is not self._F:
-            self._F, self._sides = F, sides_of_edges(F)
 
     def _ends(self, corners: np.ndarray, shift: np.ndarray, sides: list[tuple[int, int]]) -> np.ndarray:
         tile, k = np.array(sides).T

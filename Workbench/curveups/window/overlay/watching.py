@@ -76,12 +76,8 @@ class _Selection:
             overlay.mark_selected(selected, [hovered] if hovered >= 0 else [])
             tile = tile_in(element)
             if tile >= 0 and tile in selected:
-                _say(overlay, element, tile)
-
-
-def _say(overlay: Any, name: str, tile: int) -> None:
-    values = "; ".join(f"{title} {value}" for title, value in overlay.values_of(tile))
-    FreeCADGui.getMainWindow().statusBar().showMessage(f"{name}: {values}", 60_000)
+                values = "; ".join(f"{title} {value}" for title, value in overlay.values_of(tile))
+                FreeCADGui.getMainWindow().statusBar().showMessage(f"{element}: {values}", 60_000)
 
 
 class _Units:

@@ -18,11 +18,11 @@ from ...project.worker import Status
 from ...report import check as words
 from ...stages import asked_by
 from .. import runs
-from ..macro import assign
 from ..notice import errors_shown, show_line, shown, words_of
 from ..qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, translate
 from ..run import LIVE, Task
-from ..units import row_in_user_units
+from ..runs import assign
+from ..units import in_user_units
 from .panel import Panel, enable
 
 _MOST, _LETTERS = 300, 24  # obstacles; letters in a line
@@ -135,14 +135,15 @@ class CheckPanel(Panel):
     def _fill_margins(self, found: Results) -> None:
         tree = self.form.margins
         tree.clear()
-        for row in words.rows(found):
-            head, worst, tile, *cells = row_in_user_units((words_of(row[0]), *row[1:]))
+        for figure in found["feasibility"].figures:
+            head, number = in_user_units(words_of(figure.name))
+            _, worst, tile, *cells = words.row(figure, found["feasibility"].blocked, number)
             top = QtWidgets.QTreeWidgetItem(tree, [fill(head, _LETTERS)])
             top.setFirstColumnSpanned(True)
             top.setExpanded(True)
             values = QtWidgets.QTreeWidgetItem(top, [f"{worst}\n{tile}".strip(), *cells])
             for item in (top, values):
-                item.setData(0, QtCore.Qt.UserRole, (_FIELDS[row[0]], tile))
+                item.setData(0, QtCore.Qt.UserRole, (_FIELDS[figure.name], tile))
         self.form.note.setText(words_of(ESTIMATE))
 
     def _fill_obstacles(self, found: Results) -> None:

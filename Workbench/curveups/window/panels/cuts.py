@@ -18,13 +18,13 @@ from ...stages.cut_request import CutRequest
 from ...stages.stage import Job
 from .. import runs
 from ..cut_paths import CutPaths, Edge, groups
-from ..macro import call, named
 from ..notice import errors_shown
 from ..overlay.cut_lines import CutLines
 from ..overlay.picking import Pick, PickTool
 from ..overlay.watching import unit_observers
 from ..qt import QtCore, QtWidgets, translate
 from ..run import LIVE, Task
+from ..runs import call, named
 from .panel import Panel, enable
 
 
@@ -308,14 +308,12 @@ class CutsPanel(Panel):
     # The layout that follows.
 
     def _lay_out(self) -> None:
-        if self._layout is None or not self.form.live.isChecked() or not self._overlay_fits():
+        scene = self._overlay.scene
+        if (self._layout is None or not self.form.live.isChecked() or scene is None or self._paths is None
+                or not np.array_equal(scene.F, self._paths.F)):
             return
         with errors_shown(translate("CurveUps_Cuts", "Lay out")):
             self._layout.start(document.cuts_of(self.design), self._laid_out)
-
-    def _overlay_fits(self) -> bool:
-        scene = self._overlay.scene
-        return scene is not None and self._paths is not None and np.array_equal(scene.F, self._paths.F)
 
     def _laid_out(self) -> None:
         """The layout stands: it is shown, not stored."""

@@ -16,8 +16,8 @@ from ...base.errors import CurveUpsError
 from ...base.findings import refused
 from ...base.native import problem
 from ...features import live, properties, rebuild
-from ...features.keys import read_keys
 from ...features.proxy import designs
+from ...features.status import read_keys
 from ...project.worker import Outcome, Worker
 from ..qt import QtCore, translate
 
