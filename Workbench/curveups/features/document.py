@@ -7,6 +7,7 @@ Lengths are in mm. Everything raises CurveUpsError, with the document as it was,
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any, Callable, Mapping, Optional
 
 import numpy as np
@@ -40,7 +41,7 @@ def new_design(document: Any, source: Any, label: str = "") -> Any:
     found = target.properties_for(source)
     obj = _add_objects(document)
     _write_source(obj.Target, found)
-    obj.Label = label or target.name_of(source)
+    obj.Label = label or (Path(source).stem if isinstance(source, (str, Path)) else f"{source.Label} design")
     obj.Proxy.refresh(obj)
     return obj
 
@@ -79,7 +80,7 @@ def to_store(before: Project, results: Results) -> Stored:
     made.update(_worth_keeping(results, made, solved))
     with translated(before.where):
         text = saved_results.to_text(made, _NOT_STORED)
-    return Stored(saved_results.as_read(made, _NOT_STORED), text, solved)
+    return Stored(saved_results.from_text(text, before.where), text, solved)
 
 
 def take(obj: Any, results: Results, stored: Optional[Stored] = None) -> None:

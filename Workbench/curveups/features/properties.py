@@ -41,12 +41,6 @@ def rows() -> Iterator[Parameter]:
     return iter(sorted((row for row in table() if row.level != "switch"), key=lambda row: not row.basic))
 
 
-def group_of(row: Parameter) -> str:
-    """The heading in the property editor, which sorts by name: what is seldom needed comes after the rest of
-    its group."""
-    return f"{GROUPS.index(row.group) + 1} {row.group}{'' if row.basic else ', more'}"
-
-
 def parameter_of(name: str) -> Optional[Parameter]:
     """The row that a property is of; None for others."""
     return next((row for row in rows() if property_name(row.name) == name), None)
@@ -69,7 +63,9 @@ def add_parameters(obj: Any, parameters: Any) -> None:
         kind = _TYPES.get(row.type) or _UNIT_TYPES.get(row.unit)
         if kind not in supported:
             kind = "App::PropertyFloat"
-        obj.addProperty(kind, name, group_of(row), tip_of(row))
+        # The property editor sorts by name: what is seldom needed comes after the rest of its group.
+        group = f"{GROUPS.index(row.group) + 1} {row.group}{'' if row.basic else ', more'}"
+        obj.addProperty(kind, name, group, tip_of(row))
         if row.choices:
             setattr(obj, name, list(row.choices))
         _set(obj, row, parameters.get(row.name))
@@ -78,7 +74,9 @@ def add_parameters(obj: Any, parameters: Any) -> None:
 def tip_of(row: Any) -> str:
     """What a document says of a parameter's property. Windows translate it whole, in the context
     App::Property as FreeCAD's property editor does."""
-    return f"{row.meaning}{_range(row)} {WHEN[row.effect]}"
+    unit = f" {row.unit}" if row.unit else ""
+    ends = f" From {row.minimum:g} to {row.maximum:g}{unit}." if row.type == "number" else ""
+    return f"{row.meaning}{ends} {WHEN[row.effect]}"
 
 
 def write_parameters(obj: Any, parameters: Any) -> None:
@@ -167,10 +165,3 @@ def shown(row: Any, value: float) -> str:
 
         return str(FreeCAD.Units.Quantity(f"{value!r} {UNITS.get(row.unit, row.unit)}").UserString)
     return f"{value:g}"
-
-
-def _range(row: Any) -> str:
-    if row.type != "number":
-        return ""
-    unit = f" {row.unit}" if row.unit else ""
-    return f" From {row.minimum:g} to {row.maximum:g}{unit}."

@@ -19,7 +19,6 @@ from ..targets.cad_parts import Choice
 from ..targets.target_files import require_readable
 from .proxy import HIDDEN, OUTPUT, READ_ONLY, add, add_part_properties, refresh, type_of, write
 
-
 TYPE = "CurveUps::Target"
 
 
@@ -73,11 +72,6 @@ def properties_for(source: Any) -> dict[str, Any]:
         require_readable(Path(source))
         found["File"] = str(Path(source).absolute())
     return found
-
-
-def name_of(source: Any) -> str:
-    """What a design of this source is called."""
-    return Path(source).stem if isinstance(source, (str, Path)) else f"{source.Label} design"
 
 
 def source_of(obj: Any, known: Source | None) -> Source:

@@ -101,6 +101,11 @@ def _verdict(report: dict) -> str:
                       for text in report.get("not_covered", ())))
 
 
+def _section(heading: str, rows: Sequence[tuple[Any, ...]], head: tuple[str, ...]) -> list[str]:
+    """A heading and a table; nothing without rows."""
+    return [f"<h2>{heading}</h2>", table(rows, head)] if rows else []
+
+
 def _window(ranges: Sequence[dict]) -> list[str]:
     """How far each parameter may be off, and what fails first beyond."""
     def beyond(end: Optional[dict]) -> str:
@@ -111,10 +116,8 @@ def _window(ranges: Sequence[dict]) -> list[str]:
              " to ".join(map(show, one["searched"])),
              *(beyond(one[end]) for end in ("fails_low", "fails_high")))
             for one in ranges]
-    if not rows:
-        return []
-    return ["<h2>Process window</h2>",
-            table(rows, ("Each alone", "From", "To", "Searched", "What fails below", "What fails above"))]
+    return _section("Process window", rows, ("Each alone", "From", "To", "Searched", "What fails below",
+                                             "What fails above"))
 
 
 def _cuts(cuts: Sequence[dict]) -> list[str]:
@@ -139,11 +142,8 @@ def _pieces(pieces: Sequence[dict]) -> list[str]:
     rows = [(one["piece"], f"{tile_name(one['first_tile'])} and {one['tiles'] - 1} more", one["contacts"],
              one["actuated_cm2"], one["normal_mean"], one["normal_min"], one["f_min"], words[one["valid"]])
             for one in pieces]
-    if not rows:
-        return []
-    return ["<h2>Pieces</h2>",
-            table(rows, ("Piece", "Tiles", "Contacts", "Actuated, cm²", "Mean normal force, N", "Least, N",
-                         "f_min of its own mean, N", "Holds"))]
+    return _section("Pieces", rows, ("Piece", "Tiles", "Contacts", "Actuated, cm²", "Mean normal force, N",
+                                     "Least, N", "f_min of its own mean, N", "Holds"))
 
 
 def picture(drawn: Drawn, caption: str) -> str:
@@ -230,13 +230,10 @@ def changes(report: Mapping[str, Any]) -> list[str]:
 
 def worst_contacts(contacts: Sequence[Mapping[str, Any]], f_min: float) -> list[str]:
     """The contacts with the least normal force, of a valid design too."""
-    if not contacts:
-        return []
     rows = [(_pair(one["tiles"]), one["normal_min"], one["normal_min"] / f_min if f_min else None,
              one["normal_mean"], one["friction_ratio"]) for one in contacts]
-    return ["<h2>Worst contacts</h2>",
-            table(rows, ("Tiles", "Least normal force, N", "in units of f_min", "Mean normal force, N",
-                         "Friction / normal force"))]
+    return _section("Worst contacts", rows, ("Tiles", "Least normal force, N", "in units of f_min",
+                                             "Mean normal force, N", "Friction / normal force"))
 
 
 def _mending(block: Mapping[str, Any], report: Mapping[str, Any]) -> list[str]:

@@ -2,9 +2,9 @@
 """Lists the stages of the work, in the order in which reports show their results."""
 
 from . import (actuation, design, division, feasibility, layout, pieces, pin_smoothing, repair, settle,
-               sheets, sizes, solids, suggestions, surface, target, target_smoothing, verification)
+               sheets, sizes, solids, suggestions, surface, target, verification)
 
-STAGES = (surface.STAGE, target.STAGE, target_smoothing.STAGE, division.STAGE, feasibility.STAGE,
+STAGES = (surface.STAGE, target.STAGE, pin_smoothing.TARGET, division.STAGE, feasibility.STAGE,
           sizes.STAGE, division.CUTS, suggestions.SEARCH, pin_smoothing.STAGE, layout.STAGE,
           verification.OF_LAYOUT, repair.STAGE, design.STAGE, design.FIGURES, design.DEVIATION,
           design.CLEARANCES, verification.STAGE, pieces.STAGE, sheets.ANCHORING,

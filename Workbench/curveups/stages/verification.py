@@ -133,10 +133,6 @@ class LayoutVerification(Result):
         return self.verification.rows(seconds)
 
 
-def _verify_layout(inputs: Inputs, job: Job) -> LayoutVerification:
-    return LayoutVerification(_verify(inputs["layout"].design, inputs, job, weak_is_enough=True))
-
-
 def _verify_design(inputs: Inputs, job: Job) -> Verification:
     finished = inputs["design"]
     return finished.verification or _verify(finished.design, inputs, job)
@@ -152,7 +148,9 @@ def _stopped(stage: str, inputs: Inputs) -> Verification:
 
 
 PARTS = frozenset({"tiles", "bodies", "physics"})
-OF_LAYOUT = Stage("verification of the layout", ("layout",), PARTS, _verify_layout,
+OF_LAYOUT = Stage("verification of the layout", ("layout",), PARTS,
+                  lambda inputs, job: LayoutVerification(
+                      _verify(inputs["layout"].design, inputs, job, weak_is_enough=True)),
                   lambda error, inputs: LayoutVerification(_failed(error, inputs)),
                   lambda stage, inputs: LayoutVerification(_stopped(stage, inputs)),
                   label="Verification of the layout", asked_by=("solve",), shown=True)

@@ -113,12 +113,8 @@ def _link(tile: int) -> str:
     return link(tile_name(tile), tile_name(tile))
 
 
-def _words(text: str) -> str:
-    return named(words_of(text))
-
-
-_PLAIN = Style(_words, quantity=quantity)
-_RICH = Style(_words, _link, lambda text: escape(text, quote=False), quantity)
+_PLAIN = Style(lambda text: named(words_of(text)), quantity=quantity)
+_RICH = Style(_PLAIN.words, _link, lambda text: escape(text, quote=False), quantity)
 
 
 def shown(found: Finding, rich: bool = True) -> str:

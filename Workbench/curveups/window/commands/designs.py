@@ -19,15 +19,14 @@ from ..panels.actuate import ActuatePanel
 from ..panels.check import CheckPanel
 from ..panels.cuts import CutsPanel
 from ..panels.export import ExportPanel, KitPanel
-from ..panels.overlay import OverlayPanel
+from ..panels.overlay import OverlayPanel, WorstContactsPanel
 from ..panels.panel import Panel, obstacle, show
 from ..panels.solve import SolvePanel
-from ..panels.worst_contacts import WorstContactsPanel
 from ..qt import QT_TRANSLATE_NOOP, QtCore, QtGui, translate
 from ..run import LIVE, Task
 from ..runs import call, named
 from .command import DesignCommand, Reason, Work
-from .new_design import ask_for_file, selected_surface
+from .new_design import SURFACE, ask_for_file, selected_surface
 
 
 def _opens(panel: type[Panel]) -> Work:
@@ -117,7 +116,7 @@ def _change_target(design: Any) -> None:
     source = selected_surface()
     text = named(source) if source is not None else ""
     if not text:
-        path = ask_for_file(translate("CurveUps_Target", "Surface of the design"))
+        path = ask_for_file(SURFACE)
         text = repr(path) if path else ""
     if text:
         with actions.transaction(design.Document, translate("CurveUps_Target", "Change Target")):

@@ -18,6 +18,7 @@ from ..run import LIVE
 from ..runs import assign, call, named, new_document
 from .command import Command
 
+SURFACE = "Surface of the design"
 _FORMATS = "*.stl *.obj *.ply *.off *.3mf *.step *.stp *.iges *.igs *.brep *.brp"
 
 
@@ -39,7 +40,7 @@ class NewDesign(Command):
         if source is not None:
             make_design(source.Document, named(source), selected_faces(source))
             return
-        path = ask_for_file(translate(self.name, "Surface of the design"))
+        path = ask_for_file(SURFACE)
         if path:
             make_design(FreeCAD.ActiveDocument or new_document("Unnamed", "Unnamed"), repr(path))
 

@@ -21,7 +21,7 @@ from ..overlays import overlays
 from ..qt import QtCore, translate
 from ..run import LIVE, Task
 from ..units import short, user_unit
-from . import cameras, colours, origin
+from . import cameras, colours, picture
 from .fields import MEMBRANE, Field
 from .legend import Content, Legend, arrange
 from .picture import Picture
@@ -50,7 +50,7 @@ class Overlay:
         self.note = ""                      # why it can't be drawn as the design is now
         self.selected: list[int] = []       # tiles
         self._hovered: list[int] = []
-        self._shown: Optional[origin.State] = None  # what the scene was made from
+        self._shown: Optional[picture.State] = None  # what the scene was made from
         self._iterating = False
         self._aged: list[str] = []          # what the legend says of that
         self._waiting = False
@@ -92,7 +92,7 @@ class Overlay:
             project = project_of(self.object)
             if project.latest("design") is not None and not self.shows_target:
                 project = design_project_of(self.object)
-            shown = origin.State(project, self.shows_target)
+            shown = picture.State(project, self.shows_target)
             if shown.same(self._shown) and not self.note:
                 if self._ages() != self._aged:
                     self._colour()
@@ -208,7 +208,7 @@ class Overlay:
     def age(self, one: Optional[Field]) -> str:
         """Says that what a field shows, or without one the tiles, is not of the design as it stands; empty
         where it is."""
-        return "" if self._iterating else origin.age(self.object, one, self.scene)
+        return "" if self._iterating else picture.age(self.object, one, self.scene)
 
     def _ages(self) -> list[str]:
         """Of all that may be shown."""
@@ -369,7 +369,7 @@ class Overlay:
         if self._iterating:
             notes.append(translate("CurveUps_Overlay", "present state of the solver"))
         elif self.scene is not None and (one is not None or self.age(one)):
-            notes.append(origin.text(one, self.scene))
+            notes.append(picture.origin_of(one, self.scene))
         if self.age(one):
             notes.append(self.age(one))
         if self.note:

@@ -19,8 +19,7 @@ from ...stages.stage import Job
 from .. import runs
 from ..cut_paths import CutPaths, Edge, groups
 from ..notice import errors_shown
-from ..overlay.cut_lines import CutLines
-from ..overlay.picking import Pick, PickTool
+from ..overlay.picking import CutLines, Pick, PickTool
 from ..overlay.watching import unit_observers
 from ..qt import QtCore, QtWidgets, translate
 from ..run import LIVE, Task

@@ -69,14 +69,11 @@ class DesignView(View):
         """Takes along what is below it, unless something else is made from that."""
         obj = view.Object
         for part in self.claimChildren():
-            if all(other == obj or _only_names(other) for other in part.InList):
+            # A group, or a sheet that reads it, may lose what it links to.
+            if all(other == obj or other.hasExtension("App::GroupExtension")
+                   or other.TypeId == "Spreadsheet::Sheet" for other in part.InList):
                 obj.Document.removeObject(part.Name)
         return True
-
-
-def _only_names(obj: Any) -> bool:
-    """Whether an object may lose what it links to: a group, or a sheet that reads it."""
-    return obj.hasExtension("App::GroupExtension") or obj.TypeId == "Spreadsheet::Sheet"
 
 
 _KINDS = {"CurveUps::Design": DesignView, "CurveUps::Cuts": CutsView, "CurveUps::Layout": LayoutView,
