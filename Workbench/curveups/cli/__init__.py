@@ -57,19 +57,16 @@ def make_parser() -> argparse.ArgumentParser:
                       quiet=False)
     listed.add_argument("--all", action="store_true", help="list the advanced ones and switches, too")
 
-    verify = _command(commands, "verify", "verify a design file by the exact physical model")
-    verify.add_argument("design", type=Path, metavar="DESIGN.json")
+    verify = _design_command(commands, "verify", "verify a design file by the exact physical model")
     verify.add_argument("-o", dest="output", type=_folder, metavar="DIR",
                         help="write design.json, report.json and report.html there")
 
-    export = _command(commands, "export", "write print files of a design file")
-    export.add_argument("design", type=Path, metavar="DESIGN.json")
+    export = _design_command(commands, "export", "write print files of a design file")
     _output_argument(export)
     export.add_argument("--tiles", metavar="T00012,...", help="write these tiles alone, as spares")
     _set_argument(export)
 
-    kit = _command(commands, "kit", "write all that is needed from the order to the finished shell")
-    kit.add_argument("design", type=Path, metavar="DESIGN.json")
+    kit = _design_command(commands, "kit", "write all that is needed from the order to the finished shell")
     _output_argument(kit)
     _set_argument(kit)
     kit.add_argument("--quantity", type=_number_of("pieces", 1, 1000), default=1, metavar="N",
@@ -78,15 +75,13 @@ def make_parser() -> argparse.ArgumentParser:
                      help="names of print files, of {name}, {body}, {material}, {thickness} and {quantity}")
     kit.add_argument("--language", default="en", metavar="de", help="language of the sheets (default: en)")
 
-    compare = _command(commands, "compare", "compare a scan of a built piece with its design")
-    compare.add_argument("design", type=Path, metavar="DESIGN.json")
+    compare = _design_command(commands, "compare", "compare a scan of a built piece with its design")
     compare.add_argument("scan", type=Path, metavar="SCAN",
                          help="a mesh, or points as text: x y z a line, of markers T00012 x y z")
     _output_argument(compare)
 
-    actuate = _command(commands, "actuate", "compute the shape of the built piece: released from flat, "
-                       "shaken, pressed over its former")
-    actuate.add_argument("design", type=Path, metavar="DESIGN.json")
+    actuate = _design_command(commands, "actuate", "compute the shape of the built piece: released from "
+                              "flat, shaken, pressed over its former")
     _output_argument(actuate)
     actuate.add_argument("--compensate", type=_number_of("rounds", 1, 9), default=0, metavar="N",
                          help="first move the surface against the shape in which it settles and solve again, "
@@ -116,6 +111,12 @@ def _command(commands: Any, name: str, text: str, quiet: bool = True) -> argpars
                                  allow_abbrev=False, epilog=_EPILOG)
     if quiet:
         parser.add_argument("--quiet", action="store_true", help="show no progress")
+    return parser
+
+
+def _design_command(commands: Any, name: str, text: str) -> argparse.ArgumentParser:
+    parser = _command(commands, name, text)
+    parser.add_argument("design", type=Path, metavar="DESIGN.json")
     return parser
 
 

@@ -86,7 +86,7 @@ def files(kit: Kit) -> dict[str, Make]:
         made[f"assembly.{kind}"] = partial(assembly_sheet.make, kit, kind)
     made["tiles.svg"] = lambda: svg(maps.tile_map(kit))
     for kind in ("pdf", "dxf", "svg"):
-        made[f"maps.{kind}"] = partial(maps.trim_file, kit, kind)
+        made[f"trim.{kind}"] = partial(maps.trim_file, kit, kind)
     made["former.stl"] = partial(former_stl, kit.formers)
     if kit.beds is not None and kit.beds.seams:
         for kind in ("dxf", "pdf"):

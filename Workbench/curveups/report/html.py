@@ -11,9 +11,9 @@ from typing import Any, Iterable, Mapping, Optional, Sequence, Union
 from ..base.errors import tile_list, tile_name
 from ..base.parameters import table as parameter_table
 from ..project.project import HOLDS, Results
+from ..stages.actuation import states
 from .assembly import steps
 from .data import show, table
-from .moving import states_table
 from .shop import latex, print_picture, quote, rules
 
 _STYLE = """
@@ -40,7 +40,7 @@ Drawn = Union[bytes, str]  # PNG, or HTML of what moves
 _VIEWS = {"flat": ("pictures", "flat_layout"), "actuated": ("pictures", "actuated_view"),
           "cuts": ("pictures", "cut_view"), "stretch": ("pictures", "stretch_view"),
           "movement": ("pictures", "movement_view"), "blocked": ("pictures", "blocked_view"),
-          "moving": ("moving", "moving_view"), "print": ("print_pictures", "print_view")}
+          "moving": ("actuation", "moving_view"), "print": ("print_pictures", "print_view")}
 
 
 def view(name: str, **data: Any) -> Drawn:
@@ -302,3 +302,15 @@ def _rest(count: int) -> list[str]:
 
 def _pair(tiles: Sequence[int]) -> str:
     return "–".join(tile_name(tile) for tile in tiles)
+
+
+WORDS = {"by_itself": "released", "shaken": "shaken", "pressed": "pressed and let go"}
+
+
+def states_table(block: Mapping[str, Any]) -> str:
+    """States of a block of report.json, a row each."""
+    rows = [(WORDS[name] if state["converged"] else f"{WORDS[name]}: no rest",
+             *(state[key] for key in ("mean_mm", "rms_mm", "p95_mm", "max_mm", "hausdorff_mm")),
+             len(state["open_contacts"]), state["energy_n_mm"]) for name, state in states(block).items()]
+    return table(rows, ("State", "Mean, mm", "RMS, mm", "95 %, mm", "Largest, mm", "Hausdorff, mm",
+                        f"Open of {block['contacts']} contacts", "Energy, N mm"))

@@ -275,7 +275,7 @@ class Overlay:
         self.selected = [tile for tile in tiles if tile < count]
         self._hovered = [tile for tile in hovered if tile < count]
         if changed:
-            self._colour_tiles()
+            self._colour_figures()
             self._tell()
         self._outline()
 
@@ -309,8 +309,7 @@ class Overlay:
         if scene is None:
             self._show_legend(None)
             return
-        self._colour_tiles()  # first: faces would point beyond the colours
-        self._colour_sheets()
+        self._colour_figures()  # first: faces would point beyond the colours
         self._draw()
         self.explain()
 
@@ -324,8 +323,7 @@ class Overlay:
         self._tell()
 
     def _colour(self) -> None:
-        self._colour_tiles()
-        self._colour_sheets()
+        self._colour_figures()
         self._mark()
         self.explain()
 
@@ -335,16 +333,12 @@ class Overlay:
             return name
         return colours.SIGNED if one is not None and one.signed else colours.NAMES[0]
 
-    def _colour_tiles(self) -> None:
+    def _colour_figures(self) -> None:
         scene, one = self.scene, self.field()
         if scene is not None:
-            self._picture.colour_tiles(scene, one, self._colour_map(one), self.range(), self.selected,
-                                       bool(self.age(one)))
-
-    def _colour_sheets(self) -> None:
-        scene, one = self.scene, self.field()
-        if scene is not None:
-            self._picture.colour_sheets(scene, one, self._colour_map(one), self.range(), bool(self.age(one)))
+            name, ends, faded = self._colour_map(one), self.range(), bool(self.age(one))
+            self._picture.colour_tiles(scene, one, name, ends, self.selected, faded)
+            self._picture.colour_sheets(scene, one, name, ends, faded)
 
     def _tell(self) -> None:
         for observer in list(self.observers):

@@ -22,7 +22,7 @@ from ...stages.cut_request import sides_of_edges
 from ..overlays import overlay_of
 from ..qt import QtCore
 from .cameras import views_of
-from .nodes import fill, unlit, unpickable
+from .nodes import add, fill, unlit, unpickable
 from .overlay import Overlay
 
 
@@ -192,8 +192,7 @@ class CutLines:
         self._F: Any = None
         self._sides: dict[tuple[int, int], list[tuple[int, int]]] = {}
         self.node = coin.SoSeparator()
-        self.node.addChild(unpickable())
-        self.node.addChild(unlit())
+        add(self.node, unpickable(), unlit())
         self._lines = {kind: self._add_lines(COLOURS[kind], _WIDTHS[kind]) for kind in COLOURS}
         overlay.node.addChild(self.node)
 
@@ -227,8 +226,7 @@ class CutLines:
         style.lineWidth = width
         shade = coin.SoBaseColor()
         shade.rgb = colour
-        for node in (shade, style, points, lines):
-            part.addChild(node)
+        add(part, shade, style, points, lines)
         self.node.addChild(part)
         points.point.setNum(0)
         lines.numVertices.setNum(0)

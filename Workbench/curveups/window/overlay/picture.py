@@ -16,7 +16,7 @@ from ..qt import translate
 from ..units import text_of
 from . import colours, prisms
 from .fields import MEMBRANE, Field
-from .nodes import Markers, Outlines, Prisms, Sheet, fill
+from .nodes import Markers, Outlines, Prisms, Sheet, add, fill
 from .scene import Scene
 
 
@@ -77,9 +77,8 @@ class Figure:
             self._sheets_shown.addChild(sheet.node)
         self._marks = coin.SoSeparator()
         self._selected, self._hovered = Outlines(3), Outlines(3)
-        for part in (self.shift, self._tiles.node, self._pins_shown, self._sheets_shown, self._marks,
-                     self._selected.node, self._hovered.node):
-            self.node.addChild(part)
+        add(self.node, self.shift, self._tiles.node, self._pins_shown, self._sheets_shown, self._marks,
+            self._selected.node, self._hovered.node)
 
     def draw(self, scene: Scene, t: float, pins: bool, membranes: bool) -> None:
         """The scene at t from 0, flat, to 1, actuated. Marks and outlines are drawn apart."""
@@ -134,8 +133,7 @@ class Picture:
         self.t = 0.0
         matt = coin.SoMaterial()
         matt.specularColor = (0, 0, 0)
-        for part in (self._placement, matt, self._figure.node, self._beside_shown):
-            self.node.addChild(part)
+        add(self.node, self._placement, matt, self._figure.node, self._beside_shown)
 
     @property
     def corners(self) -> np.ndarray:

@@ -50,14 +50,10 @@ class _Selection:
     def addSelection(self, document: str, name: str, element: str, point: Any) -> None:
         self._tell(document, element)
 
-    def removeSelection(self, document: str, name: str, element: str) -> None:
+    def clearSelection(self, document: str, *_: str) -> None:
         self._tell(document)
 
-    def setSelection(self, document: str) -> None:
-        self._tell(document)
-
-    def clearSelection(self, document: str) -> None:
-        self._tell(document)
+    removeSelection = setSelection = clearSelection
 
     def setPreselection(self, document: str, name: str, element: str) -> None:
         self._hovered = (document, name, element)
