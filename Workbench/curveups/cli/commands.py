@@ -243,6 +243,7 @@ def _tell_of_cuts(results: Results, reporter: Reporter) -> None:
 
 
 def _project(options: Any, cuts: CutRequest, reporter: Reporter, remesh: bool = True) -> Project:
+    """The project of a target; where sizes are chosen, with these and the design that was made with them."""
     values, automatic = native.Parameters(), set()
 
     def put(name: str, value: Any, where: str) -> None:
@@ -262,7 +263,14 @@ def _project(options: Any, cuts: CutRequest, reporter: Reporter, remesh: bool = 
     will_be_cut = bool(cuts) or cuts.suggested > 0 or values.get("pieces") != "1"
     source = find_source(options.target, remesh=remesh, will_be_cut=will_be_cut)
     project = Project(safe_name(source.name), values, {"source": source, "cut request": cuts}, options.target)
-    return _with_chosen_sizes(project, automatic, reporter) if automatic else project
+    if not automatic:
+        return project
+    choice = choose(project, automatic, Job(reporter))
+    for finding in choice.findings():
+        reporter.say(str(finding))
+    for name, value in choice.values.items():
+        reporter.say(f"{name} = {value:g} mm is chosen")
+    return choice.project
 
 
 def _of_printer(given: Sequence[tuple[str, Any, str]]) -> Iterator[tuple[str, Any, str]]:
@@ -277,16 +285,6 @@ def _with_materials(given: Sequence[tuple[str, Any, str]]) -> list[tuple[str, An
     of_materials = [(name, value, where) for kind, material, where in given if kind in MATERIALS
                     for name, value in of_material(kind, material, where).items()]
     return of_materials + [row for row in given if row[0] not in MATERIALS]
-
-
-def _with_chosen_sizes(project: Project, names: set[str], reporter: Reporter) -> Project:
-    """The project with the sizes that are chosen, and the design that was made with them."""
-    choice = choose(project, names, Job(reporter))
-    for finding in choice.findings():
-        reporter.say(str(finding))
-    for name, value in choice.values.items():
-        reporter.say(f"{name} = {value:g} mm is chosen")
-    return choice.project
 
 
 def _read_design(path: Path) -> Any:

@@ -46,11 +46,8 @@ class CheckPanel(Panel):
                                         translate("CurveUps_Check", "Obstacles")])
         form.margins.header().setSectionResizeMode(QtWidgets.QHeaderView.Stretch)
         form.obstacles.header().setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
-        form.check.clicked.connect(lambda *_: self.check())
-        form.find.clicked.connect(lambda *_: self._find())
-        form.use_length.clicked.connect(lambda *_: self._use("L"))
-        form.use_thickness.clicked.connect(lambda *_: self._use("H_body"))
-        form.choose.clicked.connect(lambda *_: self._choose())
+        self._on_clicks(check=self.check, find=self._find, choose=self._choose,
+                        use_length=lambda: self._use("L"), use_thickness=lambda: self._use("H_body"))
         form.margins.itemSelectionChanged.connect(lambda: self._show_margin())
         form.obstacles.itemSelectionChanged.connect(lambda: self._go())
         self._follow()

@@ -89,10 +89,8 @@ class CutsPanel(Panel):
         self._layout: Optional[CutLayout] = None
         self._lines = CutLines(self._overlay)
         self._tool: Optional[PickTool] = None
-        form.anew.clicked.connect(lambda *_: self._begin_anew())
-        form.remove.clicked.connect(lambda *_: self._remove())
-        form.suggest.clicked.connect(lambda *_: self._suggest())
-        form.accept.clicked.connect(lambda *_: self._accept())
+        self._on_clicks(anew=self._begin_anew, remove=self._remove, suggest=self._suggest,
+                        accept=self._accept)
         form.live.toggled.connect(lambda on: self._lay_out() if on else self._stop_layout())
         form.cuts.itemSelectionChanged.connect(lambda: self._draw())
         form.suggested.itemSelectionChanged.connect(lambda: self._show_suggestion())
