@@ -11,7 +11,7 @@ from curveups.base.native import native
 from curveups.base.parameters import with_values
 from curveups.project import size_choice
 from curveups.project.project import Project
-from curveups.stages import pin_smoothing
+from curveups.stages import smoothing as pin_smoothing
 from curveups.stages.cut_request import CutRequest
 from curveups.stages.feasibility import examine
 from curveups.stages.stage import Job

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Lists the stages of the work, in the order in which reports show their results."""
 
-from . import (actuation, design, division, feasibility, layout, pieces, pin_smoothing, repair, settle,
-               sheets, sizes, solids, suggestions, surface, target, verification)
+from . import (actuation, design, division, feasibility, layout, pieces, repair, settle, sheets, sizes,
+               smoothing, solids, suggestions, surface, target, verification)
 
-STAGES = (surface.STAGE, target.STAGE, pin_smoothing.TARGET, division.STAGE, feasibility.STAGE,
-          sizes.STAGE, division.CUTS, suggestions.SEARCH, pin_smoothing.STAGE, layout.STAGE,
+STAGES = (surface.STAGE, target.STAGE, smoothing.TARGET, division.STAGE, feasibility.STAGE,
+          sizes.STAGE, division.CUTS, suggestions.SEARCH, smoothing.STAGE, layout.STAGE,
           verification.OF_LAYOUT, repair.STAGE, design.STAGE, design.FIGURES, design.DEVIATION,
           design.CLEARANCES, verification.STAGE, pieces.STAGE, sheets.ANCHORING,
           solids.BODIES, sheets.STAGE, solids.STAGE, settle.STAGE, actuation.STAGE, solids.CHECK,

@@ -18,7 +18,7 @@ import numpy as np
 from ..base.findings import Finding, Value
 from ..base.native import native
 from ..base.sentences import MARGINS
-from .pin_smoothing import smooth_for_pins
+from .smoothing import smooth_for_pins
 from .stage import Inputs, Job, Result, Stage, digest
 
 _SIDES = ("front", "back")

@@ -92,10 +92,8 @@ def _failed(error: CurveUpsError, inputs: Inputs) -> Repair:
                   warned=(Finding("repair", (), {"error": error.what}),))
 
 
-def _stopped(stage: str, inputs: Inputs) -> Repair:
-    return Repair(inputs["layout"].design, inputs["verification of the layout"].verdict)
-
-
 STAGE = Stage("repair", ("layout", "verification of the layout"),
-              frozenset({"tiles", "layout", "bodies", "physics", "repair"}), _run, _failed, _stopped,
+              frozenset({"tiles", "layout", "bodies", "physics", "repair"}), _run, _failed,
+              lambda stage, inputs: Repair(inputs["layout"].design,
+                                           inputs["verification of the layout"].verdict),
               label="Repair", asked_by=("solve",))

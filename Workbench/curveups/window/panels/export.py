@@ -105,7 +105,7 @@ class ExportPanel(_FilesPanel):
         form.deviation.setProperty("unit", "mm")
         form.deviation.setProperty("minimum", 0.0001)
         show_number(form.deviation, FreeCAD.Units.Quantity(f"{self._parameters.get('mesh_deviation')} mm"))
-        form.names.setText(preferences.export_mask())
+        form.names.setText(preferences.group().GetString("ExportMask", Choice.mask))
         self._folder = FolderRow(form, design, "ExportFolder", "print")
         form.write.clicked.connect(lambda *_: self.write())
         form.files.itemChanged.connect(lambda *_: self._show_names())
@@ -133,7 +133,7 @@ class ExportPanel(_FilesPanel):
             LIVE.start(self.design, Task(translate("CurveUpsExport", "Export"), work,
                                          partial(self._written, folder, choice)))
             self._folder.keep()
-            preferences.set_export_mask(choice.mask)
+            preferences.group().SetString("ExportMask", choice.mask)
 
     def _written(self, folder: str, choice: Choice, design: Any, names: list[str]) -> None:
         arguments = folder, choice.files, choice.mask, choice.deviation, choice.reports, choice.insist

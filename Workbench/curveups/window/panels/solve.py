@@ -110,7 +110,7 @@ class SolvePanel(Panel):
         for group in filter(self._groups.get, properties.GROUPS):
             form.group.addItem(translate("CurveUpsSolve", group), group)
         form.group.currentIndexChanged.connect(lambda *_: self._show_group())
-        form.all.setChecked(preferences.shows_all())
+        form.all.setChecked(preferences.group().GetBool("AllParameters", False))
         form.all.toggled.connect(lambda value: self._show_all(bool(value)))
         names = [name for group in self._groups.values() for name in group]
         form.remember.clicked.connect(lambda: preferences.remember(self.design, names))
@@ -191,7 +191,7 @@ class SolvePanel(Panel):
         return ParameterRows(self.form.rows, self.design, names, self.show, beside)
 
     def _show_all(self, value: bool) -> None:
-        preferences.set_shows_all(value)
+        preferences.group().SetBool("AllParameters", value)
         self._show_group()
 
     def show(self) -> None:
