@@ -32,8 +32,7 @@ def make_parser() -> argparse.ArgumentParser:
     parser = _Parser(prog="curveups", epilog=_EPILOG, allow_abbrev=False,
                      description="Design a CurveUp, from the target surface to the print files.")
     parser.add_argument("--version", action="version", version=f"curveups {__version__}")
-    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND",
-                                     parser_class=_Parser)
+    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND", parser_class=_Parser)
 
     design = _command(commands, "design", "design a target, from its surface to print files")
     _target_arguments(design)
@@ -41,8 +40,7 @@ def make_parser() -> argparse.ArgumentParser:
     design.add_argument("--auto-cuts", type=_number_of("cuts", 0, 100), default=0, metavar="N",
                         help="make up to N suggested cuts; the first opens a closed target")
     design.add_argument("--no-remesh", action="store_true", help="take the mesh as it is")
-    design.add_argument("--no-solids", action="store_true",
-                        help="write only design.json and the reports")
+    design.add_argument("--no-solids", action="store_true", help="write only design.json and the reports")
 
     check = _command(commands, "check", "find out which parts of a target can become tiles")
     _target_arguments(check, folder_required=False)
@@ -139,8 +137,7 @@ def _output_argument(parser: argparse.ArgumentParser, required: bool = True) -> 
 
 
 def _cuts_argument(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--cuts", type=Path, metavar="FILE.json",
-                        help="cuts, as vertex pairs or polylines")
+    parser.add_argument("--cuts", type=Path, metavar="FILE.json", help="cuts, as vertex pairs or polylines")
 
 
 def _set_argument(parser: argparse.ArgumentParser) -> None:

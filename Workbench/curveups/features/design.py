@@ -45,16 +45,15 @@ class DesignProxy(Proxy):
 
     def add_properties(self, obj: Any) -> None:
         for slot in SLOTS:
-            add(obj, "App::PropertyLink", slot, "Base", f"{slot} of this design.", READ_ONLY | HIDDEN)
-        add(obj, "App::PropertyPlacement", "Placement", "Base", "Where the design stands.")
+            add(obj, "Link", slot, "Base", f"{slot} of this design.", READ_ONLY | HIDDEN)
+        add(obj, "Placement", "Placement", "Base", "Where the design stands.")
         for name, tip in _RESULTS.items():
-            kind = "App::PropertyStringList" if name == "Reasons" else "App::PropertyString"
+            kind = "StringList" if name == "Reasons" else "String"
             add(obj, kind, name, properties.RESULT, tip, READ_ONLY | OUTPUT)
         add_figures(obj, with_units=False)
         for name, tip in _HIDDEN.items():
-            add(obj, "App::PropertyString", name, "Base", tip, READ_ONLY | HIDDEN | OUTPUT)
-        add(obj, "App::PropertyString", "CurveUpsVersion", "Base", "The version that made this object.",
-            READ_ONLY)
+            add(obj, "String", name, "Base", tip, READ_ONLY | HIDDEN | OUTPUT)
+        add(obj, "String", "CurveUpsVersion", "Base", "The version that made this object.", READ_ONLY)
         if not obj.CurveUpsVersion:
             obj.CurveUpsVersion = __version__
         if problem() is None:

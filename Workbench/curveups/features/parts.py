@@ -15,37 +15,29 @@ from . import properties
 from .proxy import HIDDEN, OUTPUT, READ_ONLY, PartProxy, add, refresh, write
 from .status import Keys, write_keys
 
-# Property, type, unit, meaning, path in report.json.
+# Property, its type, unit, meaning, place in report.json.
 FIGURES = (
-    ("TileCount", "App::PropertyInteger", "", "Tiles", ("tiles",)),
-    ("ContactCount", "App::PropertyInteger", "", "Contacts between tiles", ("contacts",)),
-    ("CutCount", "App::PropertyInteger", "", "Edges that are cut", ("cuts",)),
-    ("AreaRatio", "App::PropertyFloat", "", "Flat area over actuated area", ("area", "ratio")),
-    ("FlatArea", "App::PropertyArea", "cm2", "Flat area", ("area", "flat_cm2")),
-    ("ActuatedArea", "App::PropertyArea", "cm2", "Actuated area", ("area", "actuated_cm2")),
-    ("LargestViolation", "App::PropertyDistance", "mm", "Largest violation of a gap",
-     ("constraints", "max_gap_violation_mm")),
-    ("SmallPins", "App::PropertyInteger", "", "Sides of pins below APinMin",
-     ("constraints", "pin_sides_below_area")),
-    ("MinNormalForce", "App::PropertyForce", "N", "Least normal force at a contact point",
-     ("contact_forces", "normal_min")),
-    ("MeanNormalForce", "App::PropertyForce", "N", "Mean normal force at contact points",
-     ("contact_forces", "normal_mean")),
-    ("MaxFriction", "App::PropertyFloat", "", "Largest friction over normal force",
-     ("contact_forces", "friction_ratio_max")),
-    ("MeanDeviation", "App::PropertyDistance", "mm", "Mean distance from the target",
-     ("deviation", "mean_mm")),
-    ("MaxDeviation", "App::PropertyDistance", "mm", "Largest distance from the target",
-     ("deviation", "max_mm")),
-    ("SettledDeviation", "App::PropertyDistance", "mm", "Mean distance of the settled shape from the design",
-     ("settled", "scan", "mean_mm")),
-    ("LargestSlip", "App::PropertyDistance", "mm", "Largest slip between tiles that settle",
-     ("settled", "largest_slip_mm")),
-    ("HoldingFriction", "App::PropertyFloat", "", "Least coefficient of friction at which the shape holds",
-     ("settled", "holding_friction")),
-    ("TileVolume", "App::PropertyVolume", "cm3", "Volume of the tiles", ()),
-    ("SupportVolume", "App::PropertyVolume", "cm3", "Volume of the support", ()),
-    ("AnchorVolume", "App::PropertyVolume", "cm3", "Volume of the anchors", ()),
+    ("TileCount", "Integer", "", "Tiles", "tiles"),
+    ("ContactCount", "Integer", "", "Contacts between tiles", "contacts"),
+    ("CutCount", "Integer", "", "Edges that are cut", "cuts"),
+    ("AreaRatio", "Float", "", "Flat area over actuated area", "area.ratio"),
+    ("FlatArea", "Area", "cm2", "Flat area", "area.flat_cm2"),
+    ("ActuatedArea", "Area", "cm2", "Actuated area", "area.actuated_cm2"),
+    ("LargestViolation", "Distance", "mm", "Largest violation of a gap", "constraints.max_gap_violation_mm"),
+    ("SmallPins", "Integer", "", "Sides of pins below APinMin", "constraints.pin_sides_below_area"),
+    ("MinNormalForce", "Force", "N", "Least normal force at a contact point", "contact_forces.normal_min"),
+    ("MeanNormalForce", "Force", "N", "Mean normal force at contact points", "contact_forces.normal_mean"),
+    ("MaxFriction", "Float", "", "Largest friction over normal force", "contact_forces.friction_ratio_max"),
+    ("MeanDeviation", "Distance", "mm", "Mean distance from the target", "deviation.mean_mm"),
+    ("MaxDeviation", "Distance", "mm", "Largest distance from the target", "deviation.max_mm"),
+    ("SettledDeviation", "Distance", "mm", "Mean distance of the settled shape from the design",
+     "settled.scan.mean_mm"),
+    ("LargestSlip", "Distance", "mm", "Largest slip between tiles that settle", "settled.largest_slip_mm"),
+    ("HoldingFriction", "Float", "", "Least coefficient of friction at which the shape holds",
+     "settled.holding_friction"),
+    ("TileVolume", "Volume", "cm3", "Volume of the tiles", ""),
+    ("SupportVolume", "Volume", "cm3", "Volume of the support", ""),
+    ("AnchorVolume", "Volume", "cm3", "Volume of the anchors", ""),
 )
 _UNITS = {name: unit for name, _, unit, *_ in FIGURES}
 _VOLUMES = {"tiles": "TileVolume", "support": "SupportVolume", "anchors": "AnchorVolume"}  # by kind of body
@@ -59,7 +51,7 @@ def add_figures(obj: Any, with_units: bool) -> None:
         if with_units or not unit:
             add(obj, kind, name, properties.FIGURES, f"{meaning}.", status)
         else:
-            add(obj, "App::PropertyFloat", name, properties.FIGURES, f"{meaning}, {unit}.", status)
+            add(obj, "Float", name, properties.FIGURES, f"{meaning}, {unit}.", status)
 
 
 def write_figures(obj: Any, results: Results, solved: bool) -> None:
@@ -69,7 +61,7 @@ def write_figures(obj: Any, results: Results, solved: bool) -> None:
         report.update(result.report())
     for name, _, _, _, path in FIGURES:
         value: Any = report
-        for key in path:
+        for key in path.split("."):
             value = value.get(key) if isinstance(value, Mapping) else None
         if isinstance(value, (int, float)):
             _write_figure(obj, name, value)
@@ -99,12 +91,11 @@ class CutsProxy(PartProxy):
 
     def add_properties(self, obj: Any) -> None:
         super().add_properties(obj)
-        add(obj, "App::PropertyIntegerList", "Edges", "Cuts",
+        add(obj, "IntegerList", "Edges", "Cuts",
             "Pairs of the Target's vertices: edges across which tiles are disconnected. Takes effect with "
             "Solve.")
-        add(obj, "App::PropertyVectorList", "Points", "Cuts",
-            "Where the edges are, mm: polylines one after another.")
-        add(obj, "App::PropertyIntegerList", "PointCounts", "Cuts", "How many points each polyline has.")
+        add(obj, "VectorList", "Points", "Cuts", "Where the edges are, mm: polylines one after another.")
+        add(obj, "IntegerList", "PointCounts", "Cuts", "How many points each polyline has.")
 
     def onChanged(self, obj: Any, name: str) -> None:
         if self.ready and name == "Edges":
@@ -144,14 +135,15 @@ def request_of(obj: Any, by_number: bool) -> CutRequest:
 
 # Property, type, tooltip.
 _LAYOUT = (
-    ("Poses", "App::PropertyFloatList", "Flat corners of the tiles, mm: three times x, y for each."),
-    ("Insets", "App::PropertyFloatList",
+    ("Poses", "FloatList", "Flat corners of the tiles, mm: three times x, y for each."),
+    ("Insets", "FloatList",
      "Insets of the pins, mm: three of the front and three of the back for each tile."),
-    ("Vertices", "App::PropertyVectorList", "The actuated front vertices, mm."),
-    ("Faces", "App::PropertyIntegerList", "Three vertices for each tile."),
-    ("Converged", "App::PropertyBool", "Whether the optimiser came to its end."),
-    ("Iterations", "App::PropertyInteger", "Steps of the optimiser."),
-    ("Energy", "App::PropertyFloat", "Sum of the layout's energies."))
+    ("Vertices", "VectorList", "The actuated front vertices, mm."),
+    ("Faces", "IntegerList", "Three vertices for each tile."),
+    ("Converged", "Bool", "Whether the optimiser came to its end."),
+    ("Iterations", "Integer", "Steps of the optimiser."),
+    ("Energy", "Float", "Sum of the layout's energies."),
+)
 
 
 class LayoutProxy(PartProxy):
@@ -181,15 +173,12 @@ def write_layout(obj: Any, results: Mapping[str, Any], design: Any) -> None:
 
 # Property, array of the verification, type, tooltip.
 _LISTS = (
-    ("ContactTiles", "contact_tiles", "App::PropertyIntegerList",
-     "The two tiles of each contact, counted from 0."),
-    ("ContactNormalMin", "contact_normal_min", "App::PropertyFloatList",
-     "Least normal force at a contact's points, N."),
-    ("ContactNormalMean", "contact_normal_mean", "App::PropertyFloatList",
-     "Mean normal force at a contact's points, N."),
-    ("ContactFriction", "contact_friction_ratio", "App::PropertyFloatList",
+    ("ContactTiles", "contact_tiles", "IntegerList", "The two tiles of each contact, counted from 0."),
+    ("ContactNormalMin", "contact_normal_min", "FloatList", "Least normal force at a contact's points, N."),
+    ("ContactNormalMean", "contact_normal_mean", "FloatList", "Mean normal force at a contact's points, N."),
+    ("ContactFriction", "contact_friction_ratio", "FloatList",
      "Friction over normal force that a contact needs."),
-    ("TileNormalForce", "tile_normal_force", "App::PropertyFloatList",
+    ("TileNormalForce", "tile_normal_force", "FloatList",
      "Least normal force at a tile's contact points, N."),
 )
 
@@ -204,7 +193,7 @@ class VerificationProxy(PartProxy):
         for name, _, kind, tip in _LISTS:
             add(obj, kind, name, "Verification", tip, READ_ONLY | OUTPUT)
         add_figures(obj, with_units=True)
-        add(obj, "App::PropertyIntegerList", "WeakContacts", "Verification",
+        add(obj, "IntegerList", "WeakContacts", "Verification",
             "Pairs of tiles whose contact is below the least force, counted from 0.", READ_ONLY | OUTPUT)
 
 
@@ -226,9 +215,8 @@ class BodiesProxy(PartProxy):
 
     def add_properties(self, obj: Any) -> None:
         super().add_properties(obj)
-        add(obj, "App::PropertyString", "Kind", "Base", "Which of the design's bodies.", READ_ONLY)
-        add(obj, "App::PropertyString", "Keys", "Base", "What this was built from.",
-            READ_ONLY | HIDDEN | OUTPUT)
+        add(obj, "String", "Kind", "Base", "Which of the design's bodies.", READ_ONLY)
+        add(obj, "String", "Keys", "Base", "What this was built from.", READ_ONLY | HIDDEN | OUTPUT)
 
 
 def write_body(obj: Any, shape: Any, keys: Keys, placement: Any) -> None:

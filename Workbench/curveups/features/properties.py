@@ -14,13 +14,11 @@ from ..stages.solids import density_of
 # Two names belong to objects below a Design.
 _NAMES = {"support": "SupportKind", "anchors": "WithAnchors"}
 
-_TYPES = {"switch": "App::PropertyBool", "choice": "App::PropertyEnumeration", "tiles": "App::PropertyString",
-          "faces": "App::PropertyString", "opening": "App::PropertyString",
-          "pieces": "App::PropertyString"}
+_TYPES = {"switch": "Bool", "choice": "Enumeration", "tiles": "String", "faces": "String",
+          "opening": "String", "pieces": "String"}
 # Types whose editor shows the unit. Where a FreeCAD lacks one (density before 0.21) the number is
 # plain and its tooltip names the unit.
-_UNIT_TYPES = {"mm": "App::PropertyLength", "mm2": "App::PropertyArea",
-               "deg": "App::PropertyAngle", "MPa": "App::PropertyPressure", "g/cm3": "App::PropertyDensity"}
+_UNIT_TYPES = {"mm": "Length", "mm2": "Area", "deg": "Angle", "MPa": "Pressure", "g/cm3": "Density"}
 UNITS = {"mm2": "mm^2", "g/cm3": "g/cm^3"}  # as FreeCAD spells them
 
 # In the order of work.
@@ -61,11 +59,11 @@ def add_parameters(obj: Any, parameters: Any) -> None:
         if name in obj.PropertiesList:
             continue
         kind = _TYPES.get(row.type) or _UNIT_TYPES.get(row.unit)
-        if kind not in supported:
-            kind = "App::PropertyFloat"
+        if f"App::Property{kind}" not in supported:
+            kind = "Float"
         # The property editor sorts by name: what is seldom needed comes after the rest of its group.
         group = f"{GROUPS.index(row.group) + 1} {row.group}{'' if row.basic else ', more'}"
-        obj.addProperty(kind, name, group, tip_of(row))
+        obj.addProperty(f"App::Property{kind}", name, group, tip_of(row))
         if row.choices:
             setattr(obj, name, list(row.choices))
         _set(obj, row, parameters.get(row.name))
@@ -124,7 +122,7 @@ def value_of(obj: Any, name: str) -> Any:
     """What the property of a parameter says, in the parameter's unit."""
     value = getattr(obj, name)
     if hasattr(value, "getValueAs"):
-        kind = obj.getTypeIdOfProperty(name)
+        kind = obj.getTypeIdOfProperty(name).removeprefix("App::Property")
         unit = next(unit for unit, known in _UNIT_TYPES.items() if known == kind)
         return value.getValueAs(UNITS.get(unit, unit)).Value
     return value

@@ -253,8 +253,7 @@ def stretch_view(membranes: Sequence[Any], width: float = 10.0) -> bytes:
     figure = Figure(figsize=(width, height))
     scale = _scale(membranes)
     for column, (name, membrane) in enumerate(zip(SIDES, membranes)):
-        axes = figure.add_axes([0.05 + 0.455 * column, below / height, 0.405,
-                                1 - (below + above) / height])
+        axes = figure.add_axes([0.05 + 0.455 * column, below / height, 0.405, 1 - (below + above) / height])
         drawn = _draw(axes, membrane, scale)
         _frame(axes, low, high)
         axes.set_title(name)

@@ -105,8 +105,7 @@ def verification_of(found: Any, design: Any) -> Verification:
     """A native VerificationReport of a native Design."""
     names = ("contact_tiles", "contact_normal_min", "contact_normal_mean", "contact_friction_ratio",
              "tile_normal_force")
-    sides = tuple({name: np.asarray(getattr(side, name)) for name in SIDE_ARRAYS}
-                  for side in found.membranes)
+    sides = tuple({name: np.asarray(getattr(side, name)) for name in SIDE_ARRAYS} for side in found.membranes)
     return Verification(valid=found.valid, blocks=found.blocks, found=all_of(found.reasons),
                         warned=all_of(found.warnings), complete=found.complete, design=design,
                         arrays={name: np.asarray(getattr(found, name)) for name in names}, membranes=sides)

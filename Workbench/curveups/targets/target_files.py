@@ -49,5 +49,4 @@ def require_readable(path: Path) -> None:
     if not path.is_file():
         raise CurveUpsError("the target is no file", str(path), f"give {FORMATS} file")
     if path.suffix.lower() not in (*_MESHES, *ENDINGS):
-        raise CurveUpsError(f"unknown format '{path.suffix or path.name}'", str(path),
-                            f"give {FORMATS} file")
+        raise CurveUpsError(f"unknown format '{path.suffix or path.name}'", str(path), f"give {FORMATS} file")

@@ -183,8 +183,7 @@ class Live:
         if outcome.error is not None:
             show_error(outcome.error, task.title)
         else:
-            show_line(translate("CurveUps", "{task} was cancelled: the design is as it was",
-                                task=task.title))
+            show_line(translate("CurveUps", "{task} was cancelled: the design is as it was", task=task.title))
         overlay_of(design).show_design()
 
     def _show(self, task: Task) -> None:

@@ -248,8 +248,7 @@ class Overlay:
         self._view.Morph = min(1.0, max(0.0, float(t)))
         if self.scene is not None and self.scene.motion is not None:
             step = self.scene.motion.middle(self._picture.t) - self.scene.motion.middle(before)
-            cameras.shift(self.object.Document.Name,
-                          self.placement().Rotation.multVec(FreeCAD.Vector(*step)))
+            cameras.shift(self.object.Document.Name, self.placement().Rotation.multVec(FreeCAD.Vector(*step)))
 
     def select_tiles(self, tiles: Iterable[int]) -> None:
         """Selects tiles by number (0 is T00001) in FreeCAD, and no others of the design."""

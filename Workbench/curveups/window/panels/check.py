@@ -122,8 +122,7 @@ class CheckPanel(Panel):
         form, known = self.form, "sizes" in found
         form.find.setVisible(not known)
         form.advice.setVisible(known)
-        form.advice.setText("\n".join(shown(one, False) for one in words.advice(found))
-                            if known else "")
+        form.advice.setText("\n".join(shown(one, False) for one in words.advice(found)) if known else "")
         for name, button in (("L", form.use_length), ("H_body", form.use_thickness)):
             sizes = sizes_to_use(name, found)
             button.setVisible(bool(sizes))
