@@ -20,7 +20,8 @@ from curveups.base.native import native
 from curveups.project import saved_results
 from curveups.project.project import Project
 from curveups.report.exports import report
-from curveups.report.moving import WORDS, front_corners, open_tiles
+from curveups.report.actuation import front_corners, open_tiles
+from curveups.report.html import WORDS
 from curveups.stages import RISEN, asked_by
 from curveups.stages.actuation import STATES, findings
 from curveups.stages.stage import Job

@@ -13,7 +13,7 @@ import pytest
 from curveups.base import freecad_session
 from curveups.base.language import ENGLISH
 from curveups.base.native import native
-from curveups.kit import beds, drawing, files, frame
+from curveups.kit import beds, drawing, files, maps
 from curveups.kit import kit as kit_module
 from curveups.project.project import Project
 from curveups.stages.solids import amounts
@@ -100,7 +100,7 @@ def test_parts_butt_in_a_frame(design, support, orientation):
     require_whole(model, found, printer)
     assert found.position_error == pytest.approx(2 * beds.FIT + found.seams * 0.1)
     kit = SimpleNamespace(beds=found, model=model, title="cap", name="cap", say=ENGLISH)
-    document = ezdxf.read(io.StringIO(drawing.dxf(frame.frame(kit)).decode("utf-8")))
+    document = ezdxf.read(io.StringIO(drawing.dxf(maps.frame(kit)).decode("utf-8")))
     assert not document.audit().errors
     space = document.modelspace()
     parts = [np.array([p[:2] for p in line]) for line in space.query('LWPOLYLINE[layer=="control"]')]

@@ -19,7 +19,7 @@ from matplotlib.image import imread
 from curveups.base import freecad_session
 from curveups.base.language import Language
 from curveups.base.native import native
-from curveups.kit import assembly_sheet, drawing, files, latex, ring_sheet, shop_sheet, tile_map, trim
+from curveups.kit import assembly_sheet, drawing, files, latex, maps, ring_sheet, sheets as sheet_files
 from curveups.kit.kit import Kit
 from curveups.project.project import Project
 from curveups.report import shop
@@ -124,7 +124,7 @@ def test_files_of_many_beds_follow_the_order(results, tmp_path):
     kit.files = {f"small-cap-bed-{k:02}.3mf": {"bytes": k, "sha256": hashlib.sha256(b"%d" % k).hexdigest()}
                  for k in range(200)}
     path = tmp_path / "shop.pdf"
-    path.write_bytes(shop_sheet.make(kit))
+    path.write_bytes(sheet_files.shop_page(kit))
     first, *others = pdf_text(path).split("\f")
     assert "The pages that follow list the files" in first and "mm high" in first
     said = "".join(others)
@@ -364,7 +364,7 @@ def test_sheets_are_in_the_language_that_is_asked_for(curveups, printed, tmp_pat
 
 
 def test_every_tile_has_its_number_on_the_map_twice(results):
-    found = tile_map.tile_map(Kit(results, build_report(results, [], False, {}, {})))
+    found = maps.tile_map(Kit(results, build_report(results, [], False, {}, {})))
     numbers = sorted(int(text) for *_, text in found.texts if text.isdigit())
     assert numbers == sorted([*range(1, 25)] * 2)
     lines = [line for layer in found.lines.values() for line in layer]
@@ -411,7 +411,7 @@ def test_cuts_end_in_stop_holes(curveups, tmp_path):
                    "--no-solids")
     assert ran.status == 0, ran.err
     design = native.read_design((tmp_path / "d" / "design.json").read_text("utf-8"))
-    found = trim.marks(Kit(Project.of_design(design).run(("solids",)), {"valid": True}))
+    found = maps.marks(Kit(Project.of_design(design).run(("solids",)), {"valid": True}))
     assert len(found.circles["cut"]) == len(found.lines["cut"]) == 1
 
 

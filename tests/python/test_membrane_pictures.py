@@ -8,7 +8,7 @@ import pytest
 
 from curveups.base.native import native
 from curveups.project.project import Project
-from curveups.report import html, membrane_pictures, pictures
+from curveups.report import html, pictures
 from curveups.report.data import build_report
 from curveups.stages import verification
 from matplotlib.colors import to_rgb
@@ -34,7 +34,7 @@ def share(image, colour):
 @pytest.fixture(scope="module")
 def image():
     def draw(*sides):
-        return imread(io.BytesIO(membrane_pictures.stretch_view(sides)))
+        return imread(io.BytesIO(pictures.stretch_view(sides)))
 
     return draw
 
@@ -45,18 +45,18 @@ def test_stretch_becomes_colour_and_slack_is_marked(image):
     even = image(taut, taut)
     assert share(even, low) > 0.05 and share(even, high) > 0.05
     assert share(even, low) == pytest.approx(share(even, high), rel=0.15)
-    assert share(even, membrane_pictures.LOOSE) < 1e-3
+    assert share(even, pictures.LOOSE) < 1e-3
     # The slack half takes no part in the scale, and all colours shown are those of the other half.
     slack = image(strip([2.0, 3.0, 1.0, 0.5], [0, 0, 2, 2]), taut)
-    assert share(slack, membrane_pictures.LOOSE) > 0.05
+    assert share(slack, pictures.LOOSE) > 0.05
     wrinkled = image(strip([2.0, 2.0, 3.0, 3.0], [1, 0, 0, 0]), taut)
-    tinted = 0.5 * (np.array(to_rgb(low)) + np.array(to_rgb(membrane_pictures.WRINKLE)))
+    tinted = 0.5 * (np.array(to_rgb(low)) + np.array(to_rgb(pictures.WRINKLE)))
     assert share(wrinkled, tinted) > 0.02 > 10 * share(even, tinted)
 
 
 def test_a_membrane_that_is_slack_all_over_is_drawn(image):
     grey = strip([0.9, 0.8], [2, 2])
-    assert share(image(grey, grey), membrane_pictures.LOOSE) > 0.1
+    assert share(image(grey, grey), pictures.LOOSE) > 0.1
 
 
 def test_the_page_shows_both_membranes_where_they_were_computed(designed):

@@ -17,13 +17,13 @@ from curveups.base.errors import CurveUpsError
 from curveups.base.findings import Finding
 from curveups.base.native import native
 from curveups.project.project import Project
-from curveups.stages import anchoring, solids, suggestions, surface, verification
+from curveups.stages import sheets, solids, suggestions, surface, verification
 from curveups.stages.cut_request import CutRequest
 from curveups.stages.design import Figures
 from curveups.stages.solids import Check
 from curveups.stages.stage import Inputs, Job
 from curveups.stages.surface import find_source
-from curveups.project.verdict import Verdict, judge
+from curveups.project.project import Verdict, judge
 
 BIG = "9" * 400
 
@@ -192,7 +192,7 @@ def test_what_the_surplus_membrane_asks_of_anchors():
     """A sheet stretched alike in both directions, on an anchor every 14 mm with a radius of 4."""
     values = native.Parameters()
     inputs = Inputs(values, {})
-    found = anchoring.STAGE.run(inputs, Job())
+    found = sheets.ANCHORING.run(inputs, Job())
     block = found.report()["anchors"]
     tension = 0.72 * 0.5 * (1 - 3.0 ** -6)
     assert block["surplus_tension_n_per_mm"] == pytest.approx([tension] * 2)
@@ -201,10 +201,10 @@ def test_what_the_surplus_membrane_asks_of_anchors():
     assert found.warnings() == ()
     values.set("anchor_radius", 1.0)
     values.set("thickness_back", 2.0)
-    said = anchoring.STAGE.run(inputs, Job()).warnings()
+    said = sheets.ANCHORING.run(inputs, Job()).warnings()
     assert len(said) == 1 and "raise anchor_radius" in str(said[0])
     values.set("anchors", False)
-    assert anchoring.STAGE.run(inputs, Job()).report() == {}
+    assert sheets.ANCHORING.run(inputs, Job()).report() == {}
 
 
 def test_scaled_targets_are_divided_as_finely_as_their_tiles_ask(monkeypatch, tmp_path):

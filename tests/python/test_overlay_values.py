@@ -6,7 +6,7 @@ import pytest
 from curveups.base.native import native
 from curveups.window.overlay import colours, prisms
 from curveups.window.overlay.fields import CONTACT, SIDE, TILE, Field, aligned, deviation_field
-from curveups.window.overlay.motion import Motion, part_of, quaternions
+from curveups.window.overlay.scene import Motion, part_of, quaternions
 
 
 def rotation(axis, angle):

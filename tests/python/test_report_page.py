@@ -5,7 +5,7 @@ import re
 
 import pytest
 
-from curveups.report.changes import changes, worst_contacts
+from curveups.report.html import changes, worst_contacts
 
 PIN_SMOOTHING = {
     "largest_move_mm": 0.3, "remaining": 1,

@@ -9,7 +9,7 @@ import pytest
 from curveups.base.errors import CurveUpsError, Stopped
 from curveups.base.native import native
 from curveups.project import size_choice
-from curveups.stages import pin_smoothing
+from curveups.stages import smoothing as pin_smoothing
 from curveups.stages.cut_request import CutRequest
 from curveups.stages.feasibility import examine
 from curveups.stages.stage import Job

@@ -8,8 +8,8 @@ import numpy as np
 from curveups.base.findings import Finding
 from curveups.base.native import native
 from curveups.project.project import Project
-from curveups.stages.clearances import Clearances
-from curveups.project.verdict import judge
+from curveups.stages.design import Clearances
+from curveups.project.project import judge
 
 
 def test_tiles_that_meet_as_printed_are_named(designed):

@@ -5,11 +5,19 @@ Sentences are made of it here alone, of the templates in sentences.py, in any la
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, Callable, Iterable, Mapping, Sequence
+from typing import Any, Callable, ClassVar, Iterable, Mapping, Sequence
 
 from .errors import CurveUpsError, tile_name
 from .sentences import MORE, SENTENCES, WORDS
-from .value import Value
+
+
+class Value:
+    """Base of frozen dataclasses that can be saved: they are known by their name to whoever saves them."""
+
+    known: ClassVar[dict[str, type]] = {}
+
+    def __init_subclass__(cls) -> None:
+        Value.known[cls.__name__] = cls
 
 
 @dataclass(frozen=True)
@@ -58,7 +66,8 @@ class Finding(Value):
     def data(self) -> dict[str, Any]:
         """For JSON."""
         return {"kind": self.kind, "tiles": self.tiles,
-                "figures": {name: _data(figure) for name, figure in self.figures.items()}}
+                "figures": {name: _plain(figure, lambda finding: finding.data)
+                            for name, figure in self.figures.items()}}
 
     @property
     def group(self) -> str:
@@ -179,17 +188,11 @@ def _figure(figure: Any) -> Any:
     return figure if isinstance(figure, (int, float, str)) else Finding.of(figure)
 
 
-def _plain(figure: Any) -> Any:
-    """For JSON."""
+def _plain(figure: Any, of: Callable[["Finding"], Any] = str) -> Any:
+    """For JSON; of: what stands for a finding."""
     if isinstance(figure, tuple):
-        return [_plain(one) for one in figure]
-    return str(figure) if isinstance(figure, Finding) else figure
-
-
-def _data(figure: Any) -> Any:
-    if isinstance(figure, tuple):
-        return list(map(_data, figure))
-    return figure.data if isinstance(figure, Finding) else figure
+        return [_plain(one, of) for one in figure]
+    return of(figure) if isinstance(figure, Finding) else figure
 
 
 def _read(figure: Any) -> Any:

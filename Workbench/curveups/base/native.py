@@ -27,22 +27,16 @@ def _load() -> ModuleType:
         module = importlib.import_module("curveups._native")
     except ImportError as error:
         if not built:
-            raise CurveUpsError(
-                "the native module has not been built", str(here), "run tools/setup"
-            ) from error
+            raise CurveUpsError("the native module has not been built", str(here),
+                                "run tools/setup") from error
         if importlib.util.find_spec("curveups._native") is None:
-            raise CurveUpsError(
-                f"the native module is not for {name}", ", ".join(built), "run tools/setup again"
-            ) from error
-        raise CurveUpsError(
-            f"the native module can't be loaded: {error}", built[0], "run tools/setup again"
-        ) from error
+            raise CurveUpsError(f"the native module is not for {name}", ", ".join(built),
+                                "run tools/setup again") from error
+        raise CurveUpsError(f"the native module can't be loaded: {error}", built[0],
+                            "run tools/setup again") from error
     if module.__version__ != __version__:
-        raise CurveUpsError(
-            f"the native module is of version {module.__version__}, not {__version__}",
-            built[0],
-            "run tools/setup again",
-        )
+        raise CurveUpsError(f"the native module is of version {module.__version__}, not {__version__}",
+                            built[0], "run tools/setup again")
     return module
 
 
@@ -52,12 +46,9 @@ class _Native:
     def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):  # who merely looks at this object does not need the module
             raise AttributeError(name)
-        return getattr(self._module(), name)
-
-    def _module(self) -> ModuleType:
         if "loaded" not in self.__dict__:
             self.__dict__["loaded"] = _load()
-        return self.__dict__["loaded"]
+        return getattr(self.__dict__["loaded"], name)
 
 
 if TYPE_CHECKING:

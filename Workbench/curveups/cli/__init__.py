@@ -32,8 +32,7 @@ def make_parser() -> argparse.ArgumentParser:
     parser = _Parser(prog="curveups", epilog=_EPILOG, allow_abbrev=False,
                      description="Design a CurveUp, from the target surface to the print files.")
     parser.add_argument("--version", action="version", version=f"curveups {__version__}")
-    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND",
-                                     parser_class=_Parser)
+    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND", parser_class=_Parser)
 
     design = _command(commands, "design", "design a target, from its surface to print files")
     _target_arguments(design)
@@ -41,8 +40,7 @@ def make_parser() -> argparse.ArgumentParser:
     design.add_argument("--auto-cuts", type=_number_of("cuts", 0, 100), default=0, metavar="N",
                         help="make up to N suggested cuts; the first opens a closed target")
     design.add_argument("--no-remesh", action="store_true", help="take the mesh as it is")
-    design.add_argument("--no-solids", action="store_true",
-                        help="write only design.json and the reports")
+    design.add_argument("--no-solids", action="store_true", help="write only design.json and the reports")
 
     check = _command(commands, "check", "find out which parts of a target can become tiles")
     _target_arguments(check, folder_required=False)
@@ -57,19 +55,16 @@ def make_parser() -> argparse.ArgumentParser:
                       quiet=False)
     listed.add_argument("--all", action="store_true", help="list the advanced ones and switches, too")
 
-    verify = _command(commands, "verify", "verify a design file by the exact physical model")
-    verify.add_argument("design", type=Path, metavar="DESIGN.json")
+    verify = _design_command(commands, "verify", "verify a design file by the exact physical model")
     verify.add_argument("-o", dest="output", type=_folder, metavar="DIR",
                         help="write design.json, report.json and report.html there")
 
-    export = _command(commands, "export", "write print files of a design file")
-    export.add_argument("design", type=Path, metavar="DESIGN.json")
+    export = _design_command(commands, "export", "write print files of a design file")
     _output_argument(export)
     export.add_argument("--tiles", metavar="T00012,...", help="write these tiles alone, as spares")
     _set_argument(export)
 
-    kit = _command(commands, "kit", "write all that is needed from the order to the finished shell")
-    kit.add_argument("design", type=Path, metavar="DESIGN.json")
+    kit = _design_command(commands, "kit", "write all that is needed from the order to the finished shell")
     _output_argument(kit)
     _set_argument(kit)
     kit.add_argument("--quantity", type=_number_of("pieces", 1, 1000), default=1, metavar="N",
@@ -78,15 +73,13 @@ def make_parser() -> argparse.ArgumentParser:
                      help="names of print files, of {name}, {body}, {material}, {thickness} and {quantity}")
     kit.add_argument("--language", default="en", metavar="de", help="language of the sheets (default: en)")
 
-    compare = _command(commands, "compare", "compare a scan of a built piece with its design")
-    compare.add_argument("design", type=Path, metavar="DESIGN.json")
+    compare = _design_command(commands, "compare", "compare a scan of a built piece with its design")
     compare.add_argument("scan", type=Path, metavar="SCAN",
                          help="a mesh, or points as text: x y z a line, of markers T00012 x y z")
     _output_argument(compare)
 
-    actuate = _command(commands, "actuate", "compute the shape of the built piece: released from flat, "
-                       "shaken, pressed over its former")
-    actuate.add_argument("design", type=Path, metavar="DESIGN.json")
+    actuate = _design_command(commands, "actuate", "compute the shape of the built piece: released from "
+                              "flat, shaken, pressed over its former")
     _output_argument(actuate)
     actuate.add_argument("--compensate", type=_number_of("rounds", 1, 9), default=0, metavar="N",
                          help="first move the surface against the shape in which it settles and solve again, "
@@ -119,6 +112,12 @@ def _command(commands: Any, name: str, text: str, quiet: bool = True) -> argpars
     return parser
 
 
+def _design_command(commands: Any, name: str, text: str) -> argparse.ArgumentParser:
+    parser = _command(commands, name, text)
+    parser.add_argument("design", type=Path, metavar="DESIGN.json")
+    return parser
+
+
 def _target_arguments(parser: argparse.ArgumentParser, folder_required: bool = True) -> None:
     parser.add_argument("target", metavar="TARGET",
                         help="a built-in name, or an OBJ, STL, PLY, OFF, 3MF, STEP, IGES or BREP file")
@@ -138,8 +137,7 @@ def _output_argument(parser: argparse.ArgumentParser, required: bool = True) -> 
 
 
 def _cuts_argument(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--cuts", type=Path, metavar="FILE.json",
-                        help="cuts, as vertex pairs or polylines")
+    parser.add_argument("--cuts", type=Path, metavar="FILE.json", help="cuts, as vertex pairs or polylines")
 
 
 def _set_argument(parser: argparse.ArgumentParser) -> None:
@@ -174,7 +172,7 @@ def run(arguments: Optional[list[str]]) -> int:
             # Loaded only now, so that --help works where the native module is broken.
             from . import commands
 
-            return commands.COMMANDS[options.command](options, commands.Session(reporter))
+            return commands.COMMANDS[options.command](options, reporter)
         finally:
             reporter.close()
 

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Iterator, Sequence
 
@@ -20,8 +20,7 @@ from ..kit import compare as comparing, files as kit_files
 from ..project.compensation import compensate
 from ..project.project import Project, Results
 from ..project.size_choice import AUTOMATIC, choose
-from ..report import actuation
-from ..report import check as check_report
+from ..report import actuation, check as check_report
 from ..report.exports import write_spares
 from ..report.files import write_check, write_files, write_obj, write_verification
 from ..stages import RISEN, asked_by
@@ -31,51 +30,36 @@ from ..stages.stage import Job
 from ..stages.surface import find_source
 
 
-@dataclass
-class Session:
-    """Session of a command: where progress goes, and what may stop it."""
-
-    reporter: Reporter
-
-    @property
-    def job(self) -> Job:
-        return Job(self.reporter)
-
-    def answer(self, line: str) -> None:
-        """A line on standard output."""
-        print(line, flush=True)
-
-
-def design(options: Any, session: Session) -> int:
+def design(options: Any, reporter: Reporter) -> int:
     """curveups design"""
     require_folder_name(options.output)
     cuts = read_cuts(options.cuts) if options.cuts else CutRequest()
     cuts = replace(cuts, suggested=options.auto_cuts)
-    project = _project(options, cuts, session, not options.no_remesh)
-    job = session.job
+    project = _project(options, cuts, reporter, not options.no_remesh)
+    job = Job(reporter)
     if (cuts := project.latest("cut request")).suggested:
         project.give("cut request", cuts.accept(project.run(("cut search",), job)["cut search"]))
     goals = (*asked_by("solve"), *asked_by("settle", *(() if options.no_solids else ("print",))))
     results = project.run(goals, job)
     stopped = write_files(results, options.output, job, write_document)
-    return _finish(results, options.output, session, stopped)
+    return _finish(results, options.output, reporter, stopped)
 
 
-def check(options: Any, session: Session) -> int:
+def check(options: Any, reporter: Reporter) -> int:
     """curveups check"""
     if options.output:
         require_folder_name(options.output)
     cuts = read_cuts(options.cuts) if options.cuts else CutRequest()
     # Closed surfaces are looked at too, and told to be.
-    project = _project(options, replace(cuts, suggested=1), session, not options.no_remesh)
+    project = _project(options, replace(cuts, suggested=1), reporter, not options.no_remesh)
     project.give("cut request", cuts)
-    job = session.job
+    job = Job(reporter)
     results = project.run(asked_by("check"), job)
     for line in check_report.table(results):
-        session.answer(line)
+        _answer(line)
     results = project.run(asked_by("check", "sizes"), job)
     for finding in check_report.advice(results):
-        session.answer(str(finding))
+        _answer(str(finding))
     if options.output:
         write_check(results, options.output)
     if results.stopped:
@@ -83,99 +67,99 @@ def check(options: Any, session: Session) -> int:
     return VALID if results["feasibility"].feasible else NOT_VALID
 
 
-def remesh(options: Any, session: Session) -> int:
+def remesh(options: Any, reporter: Reporter) -> int:
     """curveups remesh"""
     require_folder_name(options.output)
     # A closed target can be cut later.
-    project = _project(options, CutRequest(suggested=1), session)
-    target = project.run(("target",), session.job)["target"]
+    project = _project(options, CutRequest(suggested=1), reporter)
+    target = project.run(("target",), Job(reporter))["target"]
     write_obj(Folder(options.output), f"{project.name}-remeshed.obj", target.V, target.F)
-    session.reporter.say(f"{len(target.F)} faces, mean edge {target.mean_edge:.3f} mm")
+    reporter.say(f"{len(target.F)} faces, mean edge {target.mean_edge:.3f} mm")
     return VALID
 
 
-def targets(options: Any, session: Session) -> int:
+def targets(options: Any, reporter: Reporter) -> int:
     """curveups targets"""
     for name, _ in native.builtin_targets():
-        session.answer(name)
+        _answer(name)
     return VALID
 
 
-def parameters(options: Any, session: Session) -> int:
+def parameters(options: Any, reporter: Reporter) -> int:
     """curveups parameters"""
     group = None
     for row in (row for row in table() if row.basic or options.all):
         if row.group != group:
-            session.answer(f"{'' if group is None else chr(10)}{row.group}")
+            _answer(f"{'' if group is None else chr(10)}{row.group}")
             group = row.group
-        session.answer(f"  {row.name:<28}{_default(row):<22}{_range(row):<29}{row.meaning}")
+        _answer(f"  {row.name:<28}{_default(row):<22}{_range(row):<29}{row.meaning}")
     if not options.all:
-        session.answer("\n'curveups parameters --all' lists the others, too")
+        _answer("\n'curveups parameters --all' lists the others, too")
     return VALID
 
 
-def verify(options: Any, session: Session) -> int:
+def verify(options: Any, reporter: Reporter) -> int:
     """curveups verify"""
     if options.output:
         require_folder_name(options.output)
     design = _read_design(options.design)
     project = Project.of_design(design, str(options.design))
     project.parameters = with_values(project.parameters, {"run_verification": True})
-    results = project.run(asked_by("verify"), session.job, strict=True)
+    results = project.run(asked_by("verify"), Job(reporter), strict=True)
     if options.output:
         write_verification(results, design, options.output)
-    return _finish(results, options.output, session, results.stopped)
+    return _finish(results, options.output, reporter, results.stopped)
 
 
-def export(options: Any, session: Session) -> int:
+def export(options: Any, reporter: Reporter) -> int:
     """curveups export"""
     require_folder_name(options.output)
-    project, rebuilt = _design_project(options, session)
-    job = session.job
+    project, rebuilt = _design_project(options, reporter)
+    job = Job(reporter)
     if options.tiles is not None:
         spares = write_spares(project, options.output, options.tiles, job)
-        session.reporter.say(f"written: {', '.join(spares)}")
+        reporter.say(f"written: {', '.join(spares)}")
         return VALID
     note = Finding("unverified.changed" if rebuilt else "unverified.export")
     results = project.run(asked_by("print"), job, strict=True, note=note)
     stopped = write_files(results, options.output, job, write_document)
-    return _finish(results, options.output, session, stopped)
+    return _finish(results, options.output, reporter, stopped)
 
 
-def kit(options: Any, session: Session) -> int:
+def kit(options: Any, reporter: Reporter) -> int:
     """curveups kit"""
     require_folder_name(options.output)
     order = kit_files.Order(options.quantity, options.names, Language(options.language).name)
-    project, _ = _design_project(options, session)
-    job = session.job
+    project, _ = _design_project(options, reporter)
+    job = Job(reporter)
     results = kit_files.make(project, job)
     if results["check"].print_block:
         stopped = kit_files.write_kit(results, options.output, job, order)
     else:  # stopped before there was anything to draw
         raise Stopped
-    return _finish(results, options.output, session, stopped)
+    return _finish(results, options.output, reporter, stopped)
 
 
-def compare(options: Any, session: Session) -> int:
+def compare(options: Any, reporter: Reporter) -> int:
     """curveups compare"""
     require_folder_name(options.output)
     design = _read_design(options.design)
     with translated(str(options.scan)):
         scan = comparing.read_scan(options.scan, len(design.F))
-        found = comparing.compare(design, scan, session.job)
+        found = comparing.compare(design, scan, Job(reporter))
     if expected := comparing.predicted(options.design):
         found["predicted"] = expected
     comparing.write_comparison(design, found, options.output)
     for line in comparing.said(found):
-        session.answer(line)
+        _answer(line)
     return VALID
 
 
-def actuate(options: Any, session: Session) -> int:
+def actuate(options: Any, reporter: Reporter) -> int:
     """curveups actuate"""
     require_folder_name(options.output)
-    project, _ = _design_project(options, session, ("rebuild", "files", "verify"))
-    job = session.job
+    project, _ = _design_project(options, reporter, ("rebuild", "files", "verify"))
+    job = Job(reporter)
     compensation = None
     if options.compensate:
         if (written := options.output / "design.json").exists() and written.samefile(options.design):
@@ -189,11 +173,11 @@ def actuate(options: Any, session: Session) -> int:
     with translated(str(options.design)):
         stopped = actuation.write_actuation(results, options.output, job, compensation)
     if compensation:
-        session.reporter.say(f"{project.name}: {compensation.said}")
+        reporter.say(f"{project.name}: {compensation.said}")
     for one in results[RISEN].findings():
-        session.reporter.say(f"{project.name}: {one}")
+        reporter.say(f"{project.name}: {one}")
     if stopped:
-        session.reporter.say("stopped: what there is, is written")
+        reporter.say("stopped: what there is, is written")
         return STOPPED
     return VALID if results[RISEN].is_known else NOT_VALID
 
@@ -203,7 +187,7 @@ COMMANDS = {"design": design, "check": check, "remesh": remesh, "targets": targe
             "actuate": actuate}
 
 
-def _design_project(options: Any, session: Session, effects: tuple[str, ...] = ("rebuild", "files")
+def _design_project(options: Any, reporter: Reporter, effects: tuple[str, ...] = ("rebuild", "files")
                     ) -> tuple[Project, bool]:
     """The project of a design file with settings that have one of these effects, and whether these change its
     geometry."""
@@ -214,7 +198,7 @@ def _design_project(options: Any, session: Session, effects: tuple[str, ...] = (
     given = [(name, text, f"--set {name}") for name, text in _settings(options.settings)]
     for name, value, where in _with_materials(given):
         before = native.Parameters(values)
-        _set(values, name, value, where, session)
+        _set(values, name, value, where)
         row = parameter(native.parameter_name(name))
         if row.effect not in effects:
             typed = where.removeprefix("--set ")  # a material's, maybe
@@ -227,23 +211,23 @@ def _design_project(options: Any, session: Session, effects: tuple[str, ...] = (
     return project, rebuilt
 
 
-def _finish(results: Results, folder: Path | None, session: Session, stopped: bool) -> int:
-    reporter, verdict = session.reporter, results.verdict
+def _answer(line: str) -> None:
+    """A line on standard output."""
+    print(line, flush=True)
+
+
+def _finish(results: Results, folder: Path | None, reporter: Reporter, stopped: bool) -> int:
+    verdict = results.verdict
     reporter.say(f"{results.name}: {len(results['design'].design.F)} tiles, {verdict.word}")
     for reason in verdict.reasons:
         reporter.say(f"  {reason}")
-    _tell_of_warnings(results, reporter)
+    for first, others in first_of_each_kind(results.warnings()):  # report.json and the page have all
+        reporter.say(f"  warning: {first}" + (f" (and {others} more of this kind)" if others else ""))
     _tell_of_cuts(results, reporter)
     if stopped:  # a signal that came too late to leave anything out stopped nothing
         reporter.say("stopped: what there is, is written" if folder else "stopped")
         return STOPPED
     return NOT_VALID if verdict.valid is False else VALID
-
-
-def _tell_of_warnings(results: Results, reporter: Reporter) -> None:
-    """The first of each kind; report.json and the page have all."""
-    for first, others in first_of_each_kind(results.warnings()):
-        reporter.say(f"  warning: {first}" + (f" (and {others} more of this kind)" if others else ""))
 
 
 def _tell_of_cuts(results: Results, reporter: Reporter) -> None:
@@ -258,7 +242,8 @@ def _tell_of_cuts(results: Results, reporter: Reporter) -> None:
                  f"{len(found.applied) + len(found.proposed)} for as many, chosen anew")
 
 
-def _project(options: Any, cuts: CutRequest, session: Session, remesh: bool = True) -> Project:
+def _project(options: Any, cuts: CutRequest, reporter: Reporter, remesh: bool = True) -> Project:
+    """The project of a target; where sizes are chosen, with these and the design that was made with them."""
     values, automatic = native.Parameters(), set()
 
     def put(name: str, value: Any, where: str) -> None:
@@ -266,7 +251,7 @@ def _project(options: Any, cuts: CutRequest, session: Session, remesh: bool = Tr
             automatic.add(name)
         else:
             automatic.discard(name)
-            _set(values, name, value, where, session)
+            _set(values, name, value, where)
 
     profile = [profile_path(options.profile)] if options.profile else []
     of_profile, given = ([(name, value, str(path)) for path in paths
@@ -278,7 +263,14 @@ def _project(options: Any, cuts: CutRequest, session: Session, remesh: bool = Tr
     will_be_cut = bool(cuts) or cuts.suggested > 0 or values.get("pieces") != "1"
     source = find_source(options.target, remesh=remesh, will_be_cut=will_be_cut)
     project = Project(safe_name(source.name), values, {"source": source, "cut request": cuts}, options.target)
-    return _with_chosen_sizes(project, automatic, session) if automatic else project
+    if not automatic:
+        return project
+    choice = choose(project, automatic, Job(reporter))
+    for finding in choice.findings():
+        reporter.say(str(finding))
+    for name, value in choice.values.items():
+        reporter.say(f"{name} = {value:g} mm is chosen")
+    return choice.project
 
 
 def _of_printer(given: Sequence[tuple[str, Any, str]]) -> Iterator[tuple[str, Any, str]]:
@@ -293,16 +285,6 @@ def _with_materials(given: Sequence[tuple[str, Any, str]]) -> list[tuple[str, An
     of_materials = [(name, value, where) for kind, material, where in given if kind in MATERIALS
                     for name, value in of_material(kind, material, where).items()]
     return of_materials + [row for row in given if row[0] not in MATERIALS]
-
-
-def _with_chosen_sizes(project: Project, names: set[str], session: Session) -> Project:
-    """The project with the sizes that are chosen, and the design that was made with them."""
-    choice = choose(project, names, session.job)
-    for finding in choice.findings():
-        session.reporter.say(str(finding))
-    for name, value in choice.values.items():
-        session.reporter.say(f"{name} = {value:g} mm is chosen")
-    return choice.project
 
 
 def _read_design(path: Path) -> Any:
@@ -327,7 +309,7 @@ def _settings(texts: list[str]) -> Iterator[tuple[str, str]]:
         yield name.strip(), value.strip()
 
 
-def _set(values: Any, name: str, value: Any, where: str, session: Session) -> None:
+def _set(values: Any, name: str, value: Any, where: str) -> None:
     with translated(where):
         values.set(name, value)
 

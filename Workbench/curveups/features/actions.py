@@ -27,7 +27,7 @@ from ..stages.layout import Layout
 from ..stages.stage import Job
 from . import live, properties, rebuild, status
 from .document import Stored, take, to_store
-from .keys import Keys, read_keys, write_keys
+from .status import Keys, read_keys, write_keys
 
 
 @dataclass(frozen=True)

@@ -14,8 +14,21 @@ from ..base.errors import CurveUpsError
 from ..base.findings import Finding, Style, refused
 from ..base.native import native, problem
 from ..project.project import Project
-from . import figures, properties, rebuild, status, target
+from . import properties, rebuild, status, target
+from .parts import add_figures
 from .proxy import HIDDEN, OUTPUT, READ_ONLY, SLOTS, Proxy, add, show, type_of, write
+
+
+# Tooltips of properties by their names.
+_RESULTS = {"Verdict": "valid, not valid, not judged, or out of date.",
+            "Holds": "holds, does not hold, or not settled: whether the settled shape stays.",
+            "Reasons": "Why.",
+            "Status": "empty, current, out of date, invalid or running.",
+            "Kit": "Of the fabrication kit: empty, current, or out of date and why.",
+            "Actuation": "Of the path from flat: empty, current, or out of date and why."}
+_HIDDEN = {"Results": "Everything that was computed.", "Keys": "What results were made from.",
+           "RebuiltKeys": "What solids were made from.",
+           "KitKeys": "What the fabrication kit was made from."}
 
 
 class DesignProxy(Proxy):
@@ -32,33 +45,19 @@ class DesignProxy(Proxy):
 
     def add_properties(self, obj: Any) -> None:
         for slot in SLOTS:
-            add(obj, "App::PropertyLink", slot, "Base", f"{slot} of this design.", READ_ONLY | HIDDEN)
-        add(obj, "App::PropertyPlacement", "Placement", "Base", "Where the design stands.")
-        result = properties.RESULT
-        add(obj, "App::PropertyString", "Verdict", result,
-            "valid, not valid, not judged, or out of date.", READ_ONLY | OUTPUT)
-        add(obj, "App::PropertyString", "Holds", result,
-            "holds, does not hold, or not settled: whether the settled shape stays.", READ_ONLY | OUTPUT)
-        add(obj, "App::PropertyStringList", "Reasons", result, "Why.", READ_ONLY | OUTPUT)
-        add(obj, "App::PropertyString", "Status", result,
-            "empty, current, out of date, invalid or running.", READ_ONLY | OUTPUT)
-        add(obj, "App::PropertyString", "Kit", result,
-            "Of the fabrication kit: empty, current, or out of date and why.", READ_ONLY | OUTPUT)
-        add(obj, "App::PropertyString", "Actuation", result,
-            "Of the path from flat: empty, current, or out of date and why.", READ_ONLY | OUTPUT)
-        figures.add_figures(obj, with_units=False)
-        hidden = READ_ONLY | HIDDEN | OUTPUT
-        add(obj, "App::PropertyString", "Results", "Base", "Everything that was computed.", hidden)
-        add(obj, "App::PropertyString", "Keys", "Base", "What results were made from.", hidden)
-        add(obj, "App::PropertyString", "RebuiltKeys", "Base", "What solids were made from.", hidden)
-        add(obj, "App::PropertyString", "KitKeys", "Base", "What the fabrication kit was made from.", hidden)
-        add(obj, "App::PropertyString", "CurveUpsVersion", "Base", "The version that made this object.",
-            READ_ONLY)
+            add(obj, "Link", slot, "Base", f"{slot} of this design.", READ_ONLY | HIDDEN)
+        add(obj, "Placement", "Placement", "Base", "Where the design stands.")
+        for name, tip in _RESULTS.items():
+            kind = "StringList" if name == "Reasons" else "String"
+            add(obj, kind, name, properties.RESULT, tip, READ_ONLY | OUTPUT)
+        add_figures(obj, with_units=False)
+        for name, tip in _HIDDEN.items():
+            add(obj, "String", name, "Base", tip, READ_ONLY | HIDDEN | OUTPUT)
+        add(obj, "String", "CurveUpsVersion", "Base", "The version that made this object.", READ_ONLY)
         if not obj.CurveUpsVersion:
             obj.CurveUpsVersion = __version__
         if problem() is None:
-            if properties.lacks_parameters(obj):
-                properties.add_parameters(obj, native.Parameters())
+            properties.add_parameters(obj, native.Parameters())
 
     def execute(self, obj: Any) -> None:
         """Without a window, makes the solids for the values as they are; with one they follow after the

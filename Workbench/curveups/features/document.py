@@ -7,7 +7,7 @@ Lengths are in mm. Everything raises CurveUpsError, with the document as it was,
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import partial
+from pathlib import Path
 from typing import Any, Callable, Mapping, Optional
 
 import numpy as np
@@ -19,16 +19,13 @@ from ..project.keys import changes
 from ..project.project import Made, Project, Results
 from ..stages import BY_NAME, SETTLED, VERDICT
 from . import live, properties, rebuild, status, target
-from .bodies import KINDS, BodiesProxy
-from .cuts import CutsProxy, edges_of, write_cuts
 from .design import DesignProxy
-from .figures import write_figures
-from .keys import Keys, digest_of_edges, read_keys, write_keys
-from .layout import LayoutProxy, write_layout
 from .live import design_project_of, project_of, settings_of
-from .proxy import SLOTS, design_of, designs, show, write
+from .parts import (KINDS, BodiesProxy, CutsProxy, LayoutProxy, VerificationProxy, edges_of, write_cuts,
+                    write_figures, write_layout, write_verification)
+from .proxy import SLOTS, Proxy, design_of, designs, show, type_of, write
+from .status import Keys, digest_of_edges, read_keys, write_keys
 from .target import is_target
-from .verification import VerificationProxy, write_verification
 
 __all__ = ["design_of", "design_project_of", "designs", "has_layout", "new_design",
            "project_of", "set_cuts", "set_running", "set_source", "settings_of", "state_of", "take",
@@ -44,7 +41,7 @@ def new_design(document: Any, source: Any, label: str = "") -> Any:
     found = target.properties_for(source)
     obj = _add_objects(document)
     _write_source(obj.Target, found)
-    obj.Label = label or target.name_of(source)
+    obj.Label = label or (Path(source).stem if isinstance(source, (str, Path)) else f"{source.Label} design")
     obj.Proxy.refresh(obj)
     return obj
 
@@ -83,7 +80,7 @@ def to_store(before: Project, results: Results) -> Stored:
     made.update(_worth_keeping(results, made, solved))
     with translated(before.where):
         text = saved_results.to_text(made, _NOT_STORED)
-    return Stored(saved_results.as_read(made, _NOT_STORED), text, solved)
+    return Stored(saved_results.from_text(text, before.where), text, solved)
 
 
 def take(obj: Any, results: Results, stored: Optional[Stored] = None) -> None:
@@ -114,7 +111,7 @@ def set_source(obj: Any, source: Any) -> None:
     stay, out of date."""
     found = target.properties_for(source)
     if not target.is_target(obj.Target):
-        obj.Target = _add_target(obj.Document)
+        obj.Target = _add_part(obj.Document, "Target")
     _write_source(obj.Target, found)
     obj.Proxy.refresh(obj)
 
@@ -239,54 +236,53 @@ def _complete(obj: Any) -> None:
     """Adds objects that results are written to where somebody deleted them."""
     for slot in ("Cuts", "Layout", "Verification"):
         if getattr(obj, slot) is None:
-            setattr(obj, slot, _MAKERS[slot](obj.Document))
-
-
-def make_design(obj: Any, parts: Mapping[str, Any]) -> None:
-    """Makes `obj` a Design over `parts`, by slot; those that are missing are added."""
-    import Mesh  # noqa: F401  their types are unknown before
-    import Part  # noqa: F401
-
-    DesignProxy(obj)
-    for slot in SLOTS:
-        part = parts.get(slot) or _MAKERS[slot](obj.Document)
-        if slot not in parts and hasattr(part, "Placement"):
-            part.Visibility = False  # what has no shape would only be grey in the tree
-        setattr(obj, slot, part)
-    show(obj)
+            setattr(obj, slot, _add_part(obj.Document, slot))
 
 
 def _add_objects(document: Any) -> Any:
+    """A Design and what is below it."""
+    import Mesh  # noqa: F401  their types are unknown before
+    import Part  # noqa: F401
+
     obj = document.addObject("App::FeaturePython", "Design")
-    make_design(obj, {})
-    return obj
-
-
-def _add_target(document: Any) -> Any:
-    obj = document.addObject("Mesh::FeaturePython", "Target")
-    target.make_target(obj)
+    DesignProxy(obj)
+    for slot in SLOTS:
+        part = _add_part(document, slot)
+        if hasattr(part, "Placement"):
+            part.Visibility = False  # what has no shape would only be grey in the tree
+        setattr(obj, slot, part)
     show(obj)
     return obj
 
 
-def _add_body(document: Any, slot: str) -> Any:
-    obj = document.addObject("Part::FeaturePython", slot)
-    BodiesProxy(obj)
-    obj.Kind = KINDS[slot]
+def _add_part(document: Any, slot: str) -> Any:
+    """The object of one of SLOTS."""
+    kind, make = _PARTS[slot]
+    obj = document.addObject(f"{kind}::FeaturePython", slot)
+    make(obj)
+    if slot in KINDS:
+        obj.Kind = KINDS[slot]
     show(obj)
     return obj
 
 
-def _add(document: Any, name: str, proxy: type) -> Any:
-    obj = document.addObject("App::FeaturePython", name)
-    proxy(obj)
-    show(obj)
-    return obj
+_PARTS: dict[str, tuple[str, Callable[[Any], object]]] = {
+    "Target": ("Mesh", target.make_target), "Cuts": ("App", CutsProxy), "Layout": ("App", LayoutProxy),
+    "Verification": ("App", VerificationProxy), **{slot: ("Part", BodiesProxy) for slot in KINDS}}
 
 
-_MAKERS: dict[str, Callable[[Any], Any]] = {
-    "Target": _add_target,
-    "Cuts": lambda document: _add(document, "Cuts", CutsProxy),
-    "Layout": lambda document: _add(document, "Layout", LayoutProxy),
-    "Verification": lambda document: _add(document, "Verification", VerificationProxy),
-    **{slot: partial(_add_body, slot=slot) for slot in KINDS}}
+TYPES: dict[str, type[Proxy]] = {proxy.TYPE: proxy for proxy in (
+    DesignProxy, CutsProxy, LayoutProxy, VerificationProxy, BodiesProxy)}
+
+
+def opened(document: Any) -> None:
+    """Attaches lost proxies, shows all objects of ours, and compares targets with their sources."""
+    lost = [obj for obj in document.Objects if type_of(obj) in TYPES and obj.Proxy is None]
+    for obj in lost:
+        TYPES[type_of(obj)](obj)
+    for obj in document.Objects:
+        if is_target(obj):
+            target.notice(obj)
+        show(obj)
+    for design in designs(document) if lost else ():
+        design.Proxy.refresh(design)

@@ -3,19 +3,125 @@
 
 from __future__ import annotations
 
+import errno
+import math
+import re
+import zipfile
+import zlib
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Iterator
-
-import numpy as np
+from typing import Any, Iterator, Sequence
+from xml.sax.saxutils import quoteattr
 
 from ..base import freecad_session
 from ..base.errors import CurveUpsError
 from ..base.native import native
 from ..project.project import Results
 from . import document as documents
-from .bodies import KINDS
-from .gui_document import MESH_FLAT_LINES, SHADED, Box, View, finish_document
+from .parts import KINDS
+
+Box = tuple[Sequence[float], Sequence[float]]  # least and largest corner, mm
+
+# Places in FreeCAD's lists of display modes.
+SHADED, MESH_FLAT_LINES = 1, 2
+TWO_SIDE = 1
+
+COMPRESSION = 3  # of zlib: half the time of its default, and shapes are a twentieth larger
+
+# Class of the view of an object with a shape, as FreeCAD stores it. FreeCAD shows objects without one.
+SHAPE_VIEW = 'module="curveups.window.viewproviders.part" class="ShapeView"'
+
+
+@dataclass
+class View:
+    """How one object is shown. `colour`: sRGB, 0 to 255; None for an object without a shape."""
+
+    name: str
+    shown: bool
+    colour: tuple[int, int, int] | None = None
+    display_mode: int = SHADED
+
+
+def finish_document(path: Path, views: Sequence[View], box: Box) -> None:
+    """Adds the views and a camera that sees `box` from the front to a document without them. Raises
+    OSError, also where FreeCAD has not saved all of it: it does not say so itself."""
+    finished = path.with_name(path.name + ".finished")
+    try:
+        with zipfile.ZipFile(path) as old, zipfile.ZipFile(finished, "w") as new:
+            for entry in old.infolist():
+                content = old.read(entry)
+                if entry.filename == "Document.xml":
+                    content = _without_materials(content.decode()).encode()
+                _add(new, entry.filename, content)
+            _add(new, "GuiDocument.xml", _document(views, box).encode())
+        finished.replace(path)
+    except (zipfile.BadZipFile, zlib.error, EOFError) as error:
+        raise OSError(errno.EIO, "FreeCAD could not save the whole document (is the disk full?)",
+                      str(path)) from error
+    finally:
+        finished.unlink(missing_ok=True)
+
+
+def _add(archive: zipfile.ZipFile, name: str, content: bytes) -> None:
+    entry = zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0))
+    archive.writestr(entry, content, zipfile.ZIP_DEFLATED, COMPRESSION)
+
+
+def _without_materials(text: str) -> str:
+    """Document.xml of FreeCAD 1.1 without default materials, whose colour comes before that of the view."""
+    return re.sub(r'<Properties Count="(\d+)"((?:(?!</Properties>).)*?)'
+                  r'<Property name="ShapeMaterial".*?</Property>\s*',
+                  lambda match: f'<Properties Count="{int(match[1]) - 1}"{match[2]}', text, flags=re.DOTALL)
+
+
+def _document(views: Sequence[View], box: Box) -> str:
+    providers = "\n".join(_provider(view) for view in views)
+    return ("<?xml version='1.0' encoding='utf-8'?>\n"
+            '<Document SchemaVersion="1">\n'
+            f'<ViewProviderData Count="{len(views)}">\n{providers}\n</ViewProviderData>\n'
+            f"<Camera settings={quoteattr(_camera(box), {chr(10): '&#10;'})}/>\n</Document>\n")
+
+
+def _provider(view: View) -> str:
+    properties = []
+    if view.colour is not None:
+        red, green, blue = view.colour
+        packed = red << 24 | green << 16 | blue << 8
+        properties += [
+            ("ShapeColor", "App::PropertyColor", f'<PropertyColor value="{packed}"/>'),
+            ("DisplayMode", "App::PropertyEnumeration", f'<Integer value="{view.display_mode}"/>'),
+            ("Lighting", "App::PropertyEnumeration", f'<Integer value="{TWO_SIDE}"/>'),
+            ("Proxy", "App::PropertyPythonObject", f'<Python value="bnVsbA==" encoded="yes" {SHAPE_VIEW}/>')]
+    shown = "true" if view.shown else "false"
+    properties.append(("Visibility", "App::PropertyBool", f'<Bool value="{shown}"/>'))
+    rows = "\n".join(f'<Property name="{name}" type="{kind}">{value}</Property>'
+                     for name, kind, value in properties)
+    return (f'<ViewProvider name="{view.name}" expanded="1">\n'
+            f'<Properties Count="{len(properties)}" TransientCount="0">\n{rows}\n</Properties>\n'
+            "</ViewProvider>")
+
+
+def _camera(box: Box) -> str:
+    """Looks at the box obliquely from above (a print lies flat), wide enough for it."""
+    middle = [(a + b) / 2 for a, b in zip(*box)]
+    size = math.dist(*box) or 1.0
+    turn, tilt = math.radians(20), math.radians(38)  # about z, then from the view from the top
+    towards = (math.sin(turn) * math.sin(tilt), -math.cos(turn) * math.sin(tilt), math.cos(tilt))
+    eye = [m + s * size for m, s in zip(middle, towards)]
+    # The rotation as axis and angle, by way of its quaternion.
+    w = math.cos(turn / 2) * math.cos(tilt / 2)
+    axis = (math.cos(turn / 2) * math.sin(tilt / 2), math.sin(turn / 2) * math.sin(tilt / 2),
+            math.sin(turn / 2) * math.cos(tilt / 2))
+    length = math.hypot(*axis)
+    x, y, z = (component / length for component in axis)
+    return ("OrthographicCamera {\n"
+            "  viewportMapping ADJUST_CAMERA\n"
+            f"  position {eye[0]:.6g} {eye[1]:.6g} {eye[2]:.6g}\n"
+            f"  orientation {x:.8g} {y:.8g} {z:.8g} {2 * math.acos(w):.8g}\n"
+            f"  nearDistance 0\n  farDistance {2 * size:.6g}\n"
+            f"  aspectRatio 1\n  focalDistance {size:.6g}\n  height {0.85 * size:.6g}\n}}\n")
+
 
 # Showing the solids of more tiles takes OpenCASCADE's meshing several seconds: the target is shown
 # instead of them until they are asked for.
@@ -50,7 +156,8 @@ def write_document(results: Results, path: Path) -> dict[str, str]:
     colours = {name: native.COLOURS[kind] for name, kind in {**KINDS, "Target": "tiles"}.items()}
     views = [View(name, value, colours.get(name), MESH_FLAT_LINES if name == "Target" else SHADED)
              for name, value in shown.items()]
-    box = _print_box(results["solids"].model) if shown["Tiles"] else _box(results.design.V)
+    V = results.design.V
+    box = _print_box(results["solids"].model) if shown["Tiles"] else (V.min(axis=0), V.max(axis=0))
     finish_document(path, views, box)
     return {"freecad": freecad_session.version(freecad), "occt": part.OCC_VERSION}
 
@@ -71,7 +178,3 @@ def _print_box(model: Any) -> Box:
     """The print stands on z = 0, centred on the origin."""
     x, y, z = model.bbox
     return (-x / 2, -y / 2, 0.0), (x / 2, y / 2, z)
-
-
-def _box(V: np.ndarray) -> Box:
-    return V.min(axis=0), V.max(axis=0)

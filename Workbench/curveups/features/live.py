@@ -16,21 +16,20 @@ from ..stages import BY_NAME, RISEN
 from ..stages.design import FinishedDesign
 from ..stages.surface import Source
 from . import properties
-from .cuts import request_of
-from .keys import read_keys
-from .status import GIVEN
+from .parts import request_of
+from .status import GIVEN, read_keys
 from .target import is_target, source_of
 
 
 def project_of(obj: Any) -> Project:
     """From target to verdict under the properties as they are: what Solve runs. Raises CurveUpsError
     where a property can't be used."""
-    project = stored(obj)
+    project, target = stored(obj), obj.Target
     project.parameters = settings_of(obj)
-    if _has_source(obj):
+    if is_target(target) and (target.Source or target.File or target.BuiltIn):
         given = project.given()
         source = given.get("source")
-        found = source_of(obj.Target, cast(Optional[Source], source.result if source else None))
+        found = source_of(target, cast(Optional[Source], source.result if source else None))
         if source is None or found is not source.result:
             project.give("source", found)
         by_number = project.out_of_date("target") == ()
@@ -100,9 +99,3 @@ def keep(obj: Any, made: Mapping[str, Made]) -> None:
     parameters = _base(made["design"].result if "design" in made else None)
     obj.Proxy.project = Project(obj.Label, parameters, given, obj.Label, others)
     obj.Proxy.standing = None
-
-
-def _has_source(obj: Any) -> bool:
-    target = obj.Target
-    return is_target(target) and bool(
-        target.Source or target.File or target.BuiltIn)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Watches documents from FreeCAD's start: what was opened is made whole (registry.py).
+"""Watches documents from FreeCAD's start: what was opened is made whole (document.py).
 
 Loads nothing heavy: documents of others cost a look at their objects' types.
 """
@@ -34,14 +34,10 @@ class Restorer:
     slotAbortTransaction = slotUndoDocument
 
     def slotActivateDocument(self, document: Any) -> None:
-        if any(_is_ours(obj) for obj in document.Objects):
-            from . import registry
+        if any("CurveUpsType" in obj.PropertiesList for obj in document.Objects):
+            from . import document as documents
 
-            registry.opened(document)
-
-
-def _is_ours(obj: Any) -> bool:
-    return "CurveUpsType" in obj.PropertiesList
+            documents.opened(document)
 
 
 def install() -> None:

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import re
-from functools import lru_cache
 from typing import Any, Iterator, Optional
 
 from ..base.errors import CurveUpsError
@@ -15,13 +14,11 @@ from ..stages.solids import density_of
 # Two names belong to objects below a Design.
 _NAMES = {"support": "SupportKind", "anchors": "WithAnchors"}
 
-_TYPES = {"switch": "App::PropertyBool", "choice": "App::PropertyEnumeration", "tiles": "App::PropertyString",
-          "faces": "App::PropertyString", "opening": "App::PropertyString",
-          "pieces": "App::PropertyString"}
+_TYPES = {"switch": "Bool", "choice": "Enumeration", "tiles": "String", "faces": "String",
+          "opening": "String", "pieces": "String"}
 # Types whose editor shows the unit. Where a FreeCAD lacks one (density before 0.21) the number is
 # plain and its tooltip names the unit.
-_UNIT_TYPES = {"mm": "App::PropertyLength", "mm2": "App::PropertyArea",
-               "deg": "App::PropertyAngle", "MPa": "App::PropertyPressure", "g/cm3": "App::PropertyDensity"}
+_UNIT_TYPES = {"mm": "Length", "mm2": "Area", "deg": "Angle", "MPa": "Pressure", "g/cm3": "Density"}
 UNITS = {"mm2": "mm^2", "g/cm3": "g/cm^3"}  # as FreeCAD spells them
 
 # In the order of work.
@@ -42,20 +39,9 @@ def rows() -> Iterator[Parameter]:
     return iter(sorted((row for row in table() if row.level != "switch"), key=lambda row: not row.basic))
 
 
-def group_of(row: Parameter) -> str:
-    """The heading in the property editor, which sorts by name: what is seldom needed comes after the rest of
-    its group."""
-    return f"{GROUPS.index(row.group) + 1} {row.group}{'' if row.basic else ', more'}"
-
-
 def parameter_of(name: str) -> Optional[Parameter]:
     """The row that a property is of; None for others."""
-    return _by_property().get(name)
-
-
-@lru_cache(maxsize=None)
-def _by_property() -> dict[str, Parameter]:
-    return {property_name(row.name): row for row in rows()}
+    return next((row for row in rows() if property_name(row.name) == name), None)
 
 
 def values_of(obj: Any) -> dict[str, Any]:
@@ -73,9 +59,11 @@ def add_parameters(obj: Any, parameters: Any) -> None:
         if name in obj.PropertiesList:
             continue
         kind = _TYPES.get(row.type) or _UNIT_TYPES.get(row.unit)
-        if kind not in supported:
-            kind = "App::PropertyFloat"
-        obj.addProperty(kind, name, group_of(row), tip_of(row))
+        if f"App::Property{kind}" not in supported:
+            kind = "Float"
+        # The property editor sorts by name: what is seldom needed comes after the rest of its group.
+        group = f"{GROUPS.index(row.group) + 1} {row.group}{'' if row.basic else ', more'}"
+        obj.addProperty(f"App::Property{kind}", name, group, tip_of(row))
         if row.choices:
             setattr(obj, name, list(row.choices))
         _set(obj, row, parameters.get(row.name))
@@ -84,12 +72,9 @@ def add_parameters(obj: Any, parameters: Any) -> None:
 def tip_of(row: Any) -> str:
     """What a document says of a parameter's property. Windows translate it whole, in the context
     App::Property as FreeCAD's property editor does."""
-    return f"{row.meaning}{_range(row)} {WHEN[row.effect]}"
-
-
-def lacks_parameters(obj: Any) -> bool:
-    """True where `obj` lacks the property of a parameter: it is new."""
-    return any(property_name(row.name) not in obj.PropertiesList for row in rows())
+    unit = f" {row.unit}" if row.unit else ""
+    ends = f" From {row.minimum:g} to {row.maximum:g}{unit}." if row.type == "number" else ""
+    return f"{row.meaning}{ends} {WHEN[row.effect]}"
 
 
 def write_parameters(obj: Any, parameters: Any) -> None:
@@ -137,7 +122,7 @@ def value_of(obj: Any, name: str) -> Any:
     """What the property of a parameter says, in the parameter's unit."""
     value = getattr(obj, name)
     if hasattr(value, "getValueAs"):
-        kind = obj.getTypeIdOfProperty(name)
+        kind = obj.getTypeIdOfProperty(name).removeprefix("App::Property")
         unit = next(unit for unit, known in _UNIT_TYPES.items() if known == kind)
         return value.getValueAs(UNITS.get(unit, unit)).Value
     return value
@@ -178,10 +163,3 @@ def shown(row: Any, value: float) -> str:
 
         return str(FreeCAD.Units.Quantity(f"{value!r} {UNITS.get(row.unit, row.unit)}").UserString)
     return f"{value:g}"
-
-
-def _range(row: Any) -> str:
-    if row.type != "number":
-        return ""
-    unit = f" {row.unit}" if row.unit else ""
-    return f" From {row.minimum:g} to {row.maximum:g}{unit}."

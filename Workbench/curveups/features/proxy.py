@@ -2,7 +2,7 @@
 """What all document objects of ours share: a stored type, and a proxy that can be attached anew.
 
 A FreeCAD without this workbench drops proxies when it saves. The text in `CurveUpsType` stays, and
-registry.py makes the proxy from it when the document is opened.
+document.py makes the proxy from it when the document is opened.
 """
 
 from __future__ import annotations
@@ -62,23 +62,22 @@ class PartProxy(Proxy):
 
 def add_type(obj: Any, kind: str) -> None:
     """Stores what `obj` is to CurveUps."""
-    add(obj, "App::PropertyString", "CurveUpsType", "Base", "What this object is to CurveUps.",
-        READ_ONLY | HIDDEN)
+    add(obj, "String", "CurveUpsType", "Base", "What this object is to CurveUps.", READ_ONLY | HIDDEN)
     write(obj, "CurveUpsType", kind)
 
 
 def add_part_properties(obj: Any, kind: str) -> None:
     """Those of every object below a Design."""
     add_type(obj, kind)
-    add(obj, "App::PropertyString", "Status", "Base",
+    add(obj, "String", "Status", "Base",
         "empty, current, out of date, invalid or running.", READ_ONLY | OUTPUT)
-    add(obj, "App::PropertyString", "Reason", "Base", "Why it is in this state.", READ_ONLY | OUTPUT)
+    add(obj, "String", "Reason", "Base", "Why it is in this state.", READ_ONLY | OUTPUT)
 
 
 def add(obj: Any, kind: str, name: str, group: str, tip: str, status: int = 0) -> None:
-    """A property, where `obj` lacks it."""
+    """A property, where `obj` lacks it. kind: "String" is App::PropertyString."""
     if name not in obj.PropertiesList:
-        obj.addProperty(kind, name, group, tip, status)
+        obj.addProperty(f"App::Property{kind}", name, group, tip, status)
 
 
 def write(obj: Any, name: str, value: Any) -> None:

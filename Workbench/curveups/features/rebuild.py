@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional
+from typing import Any
 
 from ..base.errors import CurveUpsError
 from ..base.findings import Finding, refused
@@ -12,11 +12,9 @@ from ..project.keys import Record, key_of
 from ..project.project import Results
 from ..stages import BY_NAME, asked_by
 from ..stages.solids import BODIES
-from ..stages.stage import Job
 from . import live, properties, status
-from .bodies import KINDS, write_body
-from .figures import write_volumes
-from .keys import Keys, read_keys, write_keys
+from .parts import KINDS, write_body, write_volumes
+from .status import Keys, read_keys, write_keys
 
 GOALS = asked_by("build")
 
@@ -34,12 +32,12 @@ def failed(obj: Any) -> bool:
     return status.known_of_values(obj, read_keys(obj), properties.values_of(obj)).failed
 
 
-def follow(obj: Any, job: Optional[Job] = None) -> None:
+def follow(obj: Any) -> None:
     """Builds what is needed; a failure is kept as the state of the design, not raised."""
     if problem() is not None or not needed(obj) or failed(obj):
         return
     try:
-        take(obj, live.design_project_of(obj).run(GOALS, job, strict=True))
+        take(obj, live.design_project_of(obj).run(GOALS, strict=True))
     except CurveUpsError as error:
         fail(obj, refused(error))
 

@@ -4,17 +4,71 @@ that the document stores (keys.py). Works without the native module."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any, Mapping, Optional
+import dataclasses
+import json
+from dataclasses import dataclass, field
+from functools import lru_cache
+from typing import Any, Iterable, Mapping, Optional, Sequence
 
 from ..base.findings import Finding
 from ..base.parameters import parameter
 from ..project.keys import Record, changes
-from ..project.verdict import HOLDS
+from ..project.project import HOLDS
 from ..stages import BY_NAME, RISEN, SETTLED, label_of
 from . import properties
-from .keys import NONE, Keys, digest_of_edges, read_keys
+from .proxy import write
 from .target import is_target
+
+
+@dataclass(frozen=True)
+class Keys:
+    """records: of results by their stage. valid and reasons: the verdict of the run that ended with them;
+    holds: whether the shape does, by settled forces.
+    stamp, linked and cuts: the source, whether it is an object, and the cuts that were asked for.
+    failed: whether no solids can be made, for these reasons."""
+
+    records: Mapping[str, Record] = field(default_factory=dict)
+    valid: Optional[bool] = None
+    reasons: tuple[Finding, ...] = ()
+    stamp: str = ""
+    linked: bool = False
+    cuts: str = ""
+    failed: bool = False
+    holds: Optional[bool] = None
+
+
+NONE = Keys()
+
+
+def write_keys(obj: Any, keys: Keys, name: str = "Keys") -> None:
+    """Into a property of an object."""
+    data = {one.name: getattr(keys, one.name) for one in dataclasses.fields(keys)}
+    data.update(records={stage: dataclasses.asdict(one) for stage, one in keys.records.items()},
+                reasons=[one.data for one in keys.reasons])
+    write(obj, name, json.dumps(data, sort_keys=True))
+
+
+def read_keys(obj: Any, name: str = "Keys") -> Keys:
+    """NONE where there are none, or they are of another version."""
+    return _keys_of(getattr(obj, name, ""))
+
+
+@lru_cache(maxsize=64)
+def _keys_of(text: Any) -> Keys:
+    """States ask dozens of times for each change, and reasons may name every tile."""
+    data = json.loads(text or "{}")
+    try:
+        records = {stage: Record(**one) for stage, one in data.pop("records", {}).items()}
+        reasons = tuple(map(Finding.read, data.pop("reasons", ())))
+        return Keys(records, reasons=reasons, **data)
+    except (LookupError, TypeError):
+        return NONE
+
+
+def digest_of_edges(edges: Any) -> str:
+    """A short text for a flat list of vertex pairs; empty for none."""
+    return " ".join(str(int(v)) for v in edges)
+
 
 EMPTY, CURRENT, OUT_OF_DATE, INVALID, RUNNING = "empty", "current", "out of date", "invalid", "running"
 VERDICTS = {True: "valid", False: "not valid", None: "not judged"}
@@ -40,12 +94,14 @@ def status_of(obj: Any, refused: Optional[Finding] = None, running: bool = False
     """`refused`: why the properties' values can't be used, where they can't."""
     keys, values = read_keys(obj), properties.values_of(obj)
     solved = is_solved(keys)
-    source, cuts = _source_changes(obj, keys), _cut_changes(obj, keys)
+    source = _source_changes(obj, keys)
+    cuts = [Finding("changed.cuts")] if solved and _edges(obj) != keys.cuts else []
     records = {**keys.records, **({"source": _CHANGED} if source else {}),
                **({"cut request": _CHANGED} if cuts else {})}
     target = source + _changed("changed.divided", changes("target", records, values, GIVEN))
-    layout = source + cuts + _changed(
-        "changed.solved", _of_layout(changes("design", records, values, GIVEN)))
+    of_layout = [name for name in changes("design", records, values, GIVEN) or ()
+                 if _is_result(name) or not parameter(name).keeps_layout]
+    layout = source + cuts + _changed("changed.solved", of_layout)
     verification = verdict_changes(keys, values)
     if not solved:
         state, verdict, reasons = EMPTY, VERDICTS[None], [Finding("no_layout")]
@@ -58,16 +114,19 @@ def status_of(obj: Any, refused: Optional[Finding] = None, running: bool = False
         "Cuts": _part(solved or bool(_edges(obj)), cuts),
         "Layout": _part(solved, layout),
         "Verification": _part(keys.valid is not None, layout or verification),
-        **{slot: _body(getattr(obj, slot), keys, values) for slot in ("Tiles", "Support", "Anchors")}}
+        **{slot: _built(body_changes(read_keys(getattr(obj, slot)), keys, values))
+           for slot in ("Tiles", "Support", "Anchors")}}
     if parts["Verification"][0] == CURRENT and keys.valid is False:
         parts["Verification"] = (INVALID, "; ".join(map(str, keys.reasons)))
     if running:
         state = RUNNING
     kit = body_changes(read_keys(obj, "KitKeys"), keys, values, of_files=True)
     risen = changes(RISEN, keys.records, values, ("design",))
-    return Status(state, verdict, _holds(keys, records, values, bool(layout or verification or refused)),
-                  tuple(reasons), parts, _part(kit is not None, layout + (kit or [])),
-                  _part(risen is not None, layout + _changed("changed.risen", risen)))
+    # Whether the shape holds by settled forces is open after any edit.
+    settled = not (layout or verification or refused) and changes(SETTLED, records, values, ("design",)) == ()
+    return Status(state, verdict, HOLDS[keys.holds if settled else None], tuple(reasons), parts,
+                  _built(kit, layout),
+                  _built(None if risen is None else _changed("changed.risen", risen), layout))
 
 
 def is_solved(keys: Keys) -> bool:
@@ -78,12 +137,6 @@ def is_solved(keys: Keys) -> bool:
 def has_tiles(obj: Any) -> bool:
     """Whether the Target of a Design has been made into tiles."""
     return is_target(obj.Target) and obj.Target.Mesh.CountFacets > 0
-
-
-def _holds(keys: Keys, records: Mapping[str, Record], values: Mapping[str, Any], edited: bool) -> str:
-    """Whether the shape holds by settled forces; that is open after any edit."""
-    current = not edited and changes(SETTLED, records, values, ("design",)) == ()
-    return HOLDS[keys.holds if current else None]
 
 
 def known_of_values(obj: Any, keys: Keys, values: Mapping[str, Any]) -> Keys:
@@ -137,15 +190,11 @@ def _judgement(obj: Any, keys: Keys, values: Mapping[str, Any], layout: list[Fin
     return (INVALID if keys.valid is False else CURRENT), VERDICTS[keys.valid], reasons
 
 
-def _of_layout(names: Optional[tuple[str, ...]]) -> Optional[tuple[str, ...]]:
-    return names and tuple(name for name in names if _is_result(name) or not parameter(name).keeps_layout)
-
-
 def _is_result(name: str) -> bool:
     return name in BY_NAME or name in GIVEN
 
 
-def _changed(kind: str, names: Optional[tuple[str, ...]]) -> list[Finding]:
+def _changed(kind: str, names: Optional[Iterable[str]]) -> list[Finding]:
     """Of parameters, or else of results; what was given has sentences of its own."""
     others = [name for name in names or () if name not in GIVEN]
     known = [properties.property_name(name) for name in others
@@ -169,12 +218,6 @@ def _source_changes(obj: Any, keys: Keys) -> list[Finding]:
     return []
 
 
-def _cut_changes(obj: Any, keys: Keys) -> list[Finding]:
-    if "design" not in keys.records or _edges(obj) == keys.cuts:
-        return []
-    return [Finding("changed.cuts")]
-
-
 def _edges(obj: Any) -> str:
     return digest_of_edges(obj.Cuts.Edges) if obj.Cuts is not None else ""
 
@@ -185,7 +228,6 @@ def _part(there: bool, changed: list[Finding]) -> tuple[str, str]:
     return (OUT_OF_DATE, "; ".join(map(str, changed))) if changed else (CURRENT, "")
 
 
-def _body(body: Any, keys: Keys, values: Mapping[str, Any]) -> tuple[str, str]:
-    built = read_keys(body) if body is not None else NONE
-    changed = body_changes(built, keys, values)
-    return _part(changed is not None, changed or [])
+def _built(changed: Optional[list[Finding]], before: Sequence[Finding] = ()) -> tuple[str, str]:
+    """Of what is made from a layout; changed: None where it is not there; before: changes of the layout."""
+    return _part(changed is not None, [*before, *(changed or ())])

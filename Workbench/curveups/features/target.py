@@ -19,7 +19,6 @@ from ..targets.cad_parts import Choice
 from ..targets.target_files import require_readable
 from .proxy import HIDDEN, OUTPUT, READ_ONLY, add, add_part_properties, refresh, type_of, write
 
-
 TYPE = "CurveUps::Target"
 
 
@@ -27,15 +26,13 @@ def make_target(obj: Any) -> None:
     """Makes a plain mesh object a Target. Its mesh is the division into tiles. It has no proxy: observer.py
     notices changes."""
     add_part_properties(obj, TYPE)
-    add(obj, "App::PropertyLink", "Source", "Target",
+    add(obj, "Link", "Source", "Target",
         "The Part or Mesh object that gives the surface. Takes effect with Solve.")
-    add(obj, "App::PropertyFile", "File", "Target",
-        "The file that gives the surface. Takes effect with Solve.")
-    add(obj, "App::PropertyString", "BuiltIn", "Target", "The built-in target that this is.", READ_ONLY)
-    add(obj, "App::PropertyBool", "KeepMesh", "Target",
+    add(obj, "File", "File", "Target", "The file that gives the surface. Takes effect with Solve.")
+    add(obj, "String", "BuiltIn", "Target", "The built-in target that this is.", READ_ONLY)
+    add(obj, "Bool", "KeepMesh", "Target",
         "Takes the source's triangles as tiles, as they are. Takes effect with Solve.")
-    add(obj, "App::PropertyString", "Stamp", "Target", "Tells states of the source apart.",
-        READ_ONLY | HIDDEN | OUTPUT)
+    add(obj, "String", "Stamp", "Target", "Tells states of the source apart.", READ_ONLY | HIDDEN | OUTPUT)
 
 
 def is_target(obj: Any) -> bool:
@@ -73,11 +70,6 @@ def properties_for(source: Any) -> dict[str, Any]:
         require_readable(Path(source))
         found["File"] = str(Path(source).absolute())
     return found
-
-
-def name_of(source: Any) -> str:
-    """What a design of this source is called."""
-    return Path(source).stem if isinstance(source, (str, Path)) else f"{source.Label} design"
 
 
 def source_of(obj: Any, known: Source | None) -> Source:

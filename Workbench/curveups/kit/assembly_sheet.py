@@ -17,16 +17,14 @@ from ..base import profiles
 from ..base.language import Text
 from ..report import pictures
 from ..report.assembly import HOLE, glue_asked, glue_volumes, steps
+from ..report.data import table
 from ..report.html import page, picture
 from ..report.print_pictures import print_view
 from ..report.shop import latex
-from ..report.tables import table
 from . import drawing, latex as template
-from .frame import frame
 from .kit import Kit
+from .maps import frame, tile_map, trim_view
 from .ring_sheet import section
-from .tile_map import tile_map
-from .trim import trim_view
 
 
 def make(kit: Kit, kind: str) -> bytes:
@@ -122,13 +120,19 @@ def _drawn(one: drawing.Drawing) -> bytes:
     return pictures._png(drawing.whole(one, 160.0), 160)
 
 
+def _pages(kit: Kit) -> list[tuple[str, str, str]]:
+    """Title, text and picture of each step."""
+    return [(f"{number}. {step.title}", step.text, step.picture)
+            for number, step in enumerate(steps(kit.report, kit.results.parameters, kit.say), 1)]
+
+
 def _html(kit: Kit) -> bytes:
     say = kit.say
     found = [f"<h1>{escape(_title(kit))}</h1>", table(parts(kit))]
-    for number, step in enumerate(steps(kit.report, kit.results.parameters, say), 1):
+    for title, text, name in _pages(kit):
         kit.go_on()
-        found += [f"<h2>{number}. {escape(step.title)}</h2>", f"<p>{escape(step.text)}</p>"]
-        found += [picture(_shown(kit, step.picture), "")] if step.picture else []
+        found += [f"<h2>{escape(title)}</h2>", f"<p>{escape(text)}</p>"]
+        found += [picture(_shown(kit, name), "")] if name else []
     found += [f"<h2>{escape(say(_MAP))}</h2>", picture(_shown(kit, "map"), say(_OF_MAP, name=kit.name))]
     return page(kit.title, found, say.name).encode("utf-8")
 
@@ -140,15 +144,12 @@ def _pdf(kit: Kit) -> bytes:
         figure, canvas, top = _page(_title(kit))
         drawing.write(canvas, drawing.BORDER, top, [f"{label}: {text}." for label, text in parts(kit)], 11)
         yield figure
-        for number, step in enumerate(steps(kit.report, kit.results.parameters, say), 1):
-            figure, canvas, top = _page(f"{number}. {step.title}")
-            top = drawing.write(canvas, drawing.BORDER, top, [step.text], 11)
-            _show(figure, _shown(kit, step.picture), top)
+        last = say(_MAP), say(_OF_MAP, name=kit.name), "map"
+        for title, text, name in (*_pages(kit), last):
+            figure, canvas, top = _page(title)
+            top = drawing.write(canvas, drawing.BORDER, top, [text], 9.5 if name == "map" else 11)
+            _show(figure, _shown(kit, name), top)
             yield figure
-        figure, canvas, top = _page(say(_MAP))
-        top = drawing.write(canvas, drawing.BORDER, top, [say(_OF_MAP, name=kit.name)], 9.5)
-        _show(figure, _shown(kit, "map"), top)
-        yield figure
 
     return drawing.book(pages(), kit.go_on)
 

@@ -55,18 +55,15 @@ class Beds:
         return {"bed_mm": printer["bed_mm"], "parts": sum(map(len, self.places)), "opening_mm": self.opening,
                 "frame_fit_mm": FIT, "position_error_mm": self.position_error,
                 "anchors_left_out": self.left_out,
-                "beds": [{"parts": [part + 1 for part in places], **_figures(self.bed(number))}
+                "beds": [{"parts": [part + 1 for part in places],
+                          "bbox_mm": [float(x) for x in self.bed(number).bbox],
+                          "bodies": sum(len(self.bed(number).piece_of_bodies(kind)) for kind in KINDS)}
                          for number, places in enumerate(self.places)]}
 
 
 def bed_name(number: int) -> str:
     """Part of file names, for a bed from 0."""
     return f"bed-{number + 1:02}"
-
-
-def _figures(model: Any) -> dict[str, Any]:
-    return {"bbox_mm": [float(x) for x in model.bbox],
-            "bodies": sum(len(model.piece_of_bodies(kind)) for kind in KINDS)}
 
 
 def beds(design: Any, model: Any, printer: dict[str, Any], shapes: Any, asked: Asked) -> Optional[Beds]:

@@ -16,8 +16,7 @@ from ..base.errors import CurveUpsError, tile_name
 from ..base.native import native
 from ..base.output import Folder
 from ..report import html
-from ..report.data import to_text
-from ..report.tables import table
+from ..report.data import table, to_text
 from ..stages.stage import Job
 from ..targets.target_files import read_target
 

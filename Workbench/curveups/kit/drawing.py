@@ -137,8 +137,7 @@ def whole(drawing: Drawing, width: float) -> Figure:
     """All of a drawing in a picture so wide, mm."""
     scale = width / drawing.size[0]
     figure, axes = sheet(width, drawing.size[1] * scale)
-    axes.set_xlim(0, drawing.size[0])
-    axes.set_ylim(0, drawing.size[1])
+    show_part(axes, (0, 0, *drawing.size))
     draw(axes, drawing, scale)
     return figure
 
@@ -147,10 +146,16 @@ def sheet(width: float, height: float) -> tuple[Figure, Any]:
     """A figure of this size, mm, and axes whose units are mm from its lower left corner."""
     figure = Figure(figsize=(width / INCH, height / INCH))
     axes = figure.add_axes([0, 0, 1, 1])
-    axes.set_xlim(0, width)
-    axes.set_ylim(0, height)
-    axes.axis("off")
+    show_part(axes, (0, 0, width, height))
     return figure, axes
+
+
+def show_part(axes: Any, part: Box) -> None:
+    """Axes that show this part alone, without ticks."""
+    x, y, width, height = part
+    axes.set_xlim(x, x + width)
+    axes.set_ylim(y, y + height)
+    axes.axis("off")
 
 
 def book(figures: Iterator[Figure], go_on: Callable[[], object] = lambda: None) -> bytes:
@@ -207,9 +212,7 @@ def _cover(drawing: Drawing, paper: str, parts: Sequence[Any], notes: Sequence[s
     scale = min(room[0] / drawing.size[0], room[1] / drawing.size[1])
     inner = figure.add_axes([BORDER / width, BORDER / height, drawing.size[0] * scale / width,
                              drawing.size[1] * scale / height])
-    inner.set_xlim(0, drawing.size[0])
-    inner.set_ylim(0, drawing.size[1])
-    inner.axis("off")
+    show_part(inner, (0, 0, *drawing.size))
     draw(inner, drawing, scale)
     for number, (_, _, (x, y, w, h)) in enumerate(parts, 1):
         x0, x1, y0, y1 = max(x, 0), min(x + w, drawing.size[0]), max(y, 0), min(y + h, drawing.size[1])
@@ -224,11 +227,9 @@ def _part(drawing: Drawing, paper: str, number: int, count: int, part: tuple[int
           ) -> Figure:
     width, height = PAPERS[paper]
     figure, page = sheet(width, height)
-    column, row, (x, y, w, h) = part
+    column, row, (_, _, w, h) = part
     inner = figure.add_axes([BORDER / width, (BORDER + FOOT) / height, w / width, h / height])
-    inner.set_xlim(x, x + w)
-    inner.set_ylim(y, y + h)
-    inner.axis("off")
+    show_part(inner, part[2])
     draw(inner, drawing.within(part[2]))
     for u in (BORDER + OVERLAP / 2, width - BORDER - OVERLAP / 2):
         for v in (BORDER + FOOT + OVERLAP / 2, height - BORDER - OVERLAP / 2):

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import partial
 from importlib import import_module
 from pathlib import Path
-from typing import Any, Callable, Sequence
+from typing import Any, Callable, Sequence, TypeVar
 
 from ..base.errors import CurveUpsError, Stopped
 from ..base.language import Language
@@ -29,6 +29,7 @@ from .beds import bed_name
 from .former import figures
 from .kit import Kit
 
+_T = TypeVar("_T")
 FORMAT, VERSION = "curveups-kit", 1
 KIT = "kit.json"
 
@@ -131,7 +132,8 @@ def _print_files(kit: Kit) -> dict[str, Callable[[], bytes]]:
 
 def _earlier(folder: Path, name: str) -> list[str]:
     """Files of the last kit in a folder that nobody has changed since, and those of beds and frame."""
-    listed = _listed(folder)
+    listed = _last(folder, lambda found: {file: str(about["sha256"])
+                                          for file, about in found["files"].items()}, dict[str, str]())
     unchanged = [file for file, known in listed.items()
                  if Path(file).name == file and (folder / file).is_file()
                  and _sum((folder / file).read_bytes()) == known]
@@ -140,13 +142,12 @@ def _earlier(folder: Path, name: str) -> list[str]:
     return [*unchanged, *beds]
 
 
-def _listed(folder: Path) -> dict[str, str]:
-    """Checksums of the files of the last kit in a folder, by their names."""
+def _last(folder: Path, take: Callable[[Any], _T], otherwise: _T) -> _T:
+    """What is taken of the last kit.json in a folder, or else where there is none or it is damaged."""
     try:
-        files = json.loads((folder / KIT).read_text("utf-8"))["files"]
-        return {name: about["sha256"] for name, about in files.items()}
-    except (OSError, ValueError, LookupError, TypeError, AttributeError):
-        return {}
+        return take(json.loads((folder / KIT).read_text("utf-8")))
+    except (CurveUpsError, OSError, ValueError, LookupError, TypeError, AttributeError):
+        return otherwise
 
 
 def _contents(kit: Kit, design: str, stopped: bool, order: Order) -> dict[str, Any]:
@@ -177,18 +178,11 @@ def _sum(data: bytes) -> str:
 
 def last_order(folder: Path) -> Order:
     """The order of the kit in a folder; the usual one where there is none."""
-    try:
-        found = json.loads((folder / KIT).read_text("utf-8"))
-        return Order(int(found["quantity"]), str(found["names"]), Language(found["language"]).name)
-    except (CurveUpsError, OSError, ValueError, KeyError, TypeError):
-        return Order()
+    return _last(folder, lambda found: Order(int(found["quantity"]), str(found["names"]),
+                                             Language(found["language"]).name), Order())
 
 
 def is_current(folder: Path, design: str, order: Order = Order()) -> bool:
     """True if the kit in a folder is whole and of this design (the text of design.json) and order."""
-    try:
-        found = json.loads((folder / KIT).read_text("utf-8"))
-        return bool(found["design_sha256"] == _sum(design.encode("utf-8")) and found["status"] == "complete"
-                    and order.data == {name: found[name] for name in order.data})
-    except (OSError, ValueError, KeyError, TypeError):
-        return False
+    known = {"design_sha256": _sum(design.encode("utf-8")), "status": "complete", **order.data}
+    return _last(folder, lambda found: known == {name: found[name] for name in known}, False)

@@ -92,7 +92,7 @@ class Former:
         i, j = np.nonzero(cells)
         corners = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
         at = np.stack([i, j], 1)[:, None] + corners  # cells x 4 x 2
-        top = self._points(at)
+        top = np.concatenate([at * self.step, self.heights[at[..., 0], at[..., 1]][..., None]], axis=-1)
         ground = np.concatenate([top[:, :, :2], np.zeros((*top.shape[:2], 1))], axis=2)
         quads = [top, ground[:, ::-1]]
         wide = np.pad(cells, 1)
@@ -101,9 +101,6 @@ class Former:
             a, b = side, (side + 1) % 4
             quads.append(np.stack([ground[rim, a], ground[rim, b], top[rim, b], top[rim, a]], axis=1))
         return np.concatenate([quad[:, pick] for quad in quads for pick in ([0, 1, 2], [0, 2, 3])])
-
-    def _points(self, at: np.ndarray) -> np.ndarray:
-        return np.concatenate([at * self.step, self.heights[at[..., 0], at[..., 1]][..., None]], axis=-1)
 
     @property
     def size(self) -> tuple[float, float]:

@@ -11,12 +11,12 @@ from typing import Any, Callable, Mapping, Optional
 
 import numpy as np
 
-from ..base.edges import sides_of_edges
 from ..base.errors import Stopped
 from ..base.language import ENGLISH, Language
 from ..base.native import native
 from ..project.project import Results
 from ..report.exports import File, doubtful, plain
+from ..stages.cut_request import sides_of_edges
 from ..stages.solids import read_printer
 from .beds import Beds, bed_name, beds
 from .former import Former
@@ -131,12 +131,6 @@ class Kit:
     def shapes(self) -> Any:
         """The tiles' native TileShapes."""
         return native.tile_shapes(self.results.design)
-
-    @cached_property
-    def weak_tiles(self) -> np.ndarray:
-        """Rows of F of the weakest contacts, ascending."""
-        found = {tile for one in self.report.get("worst_contacts", ()) for tile in one["tiles"]}
-        return np.array(sorted(found), int)
 
 
 def _far_apart(places: Mapping[tuple[int, ...], np.ndarray], count: int) -> list[tuple[int, ...]]:

@@ -54,11 +54,6 @@ def outer_size(block: Mapping[str, Any]) -> list[float]:
     return [size + 2 * frame_width(block) for size in block["window_mm"]]
 
 
-def tooth_height(height: float) -> float:
-    """mm, for a print of this height."""
-    return min(TOOTH, height - CLEAR)
-
-
 def cuts(block: Mapping[str, Any], side: str, bed: Sequence[float]) -> list[Cut]:
     """Where the frame is cut, between columns of teeth, in the order of its sides, so that its parts fit the
     bed; none where it fits whole. A bed that is too small for corners gets the smallest parts that there
@@ -100,7 +95,7 @@ def rings(block: Mapping[str, Any], height: float, bed: Sequence[float]) -> dict
     """Sizes of the rings, what they carry and how they give way: N, mm, MPa; x and y. height: of the
     print."""
     window, width = block["window_mm"], frame_width(block)
-    tooth = tooth_height(height)
+    tooth = min(TOOTH, height - CLEAR)
     pulls = {side: load[0] / window[1] for side, load in block["load_n"].items()}  # N/mm
     cut = {side: cuts(block, side, bed) for side in pulls}
     for thickness in THICKNESSES:

@@ -11,7 +11,6 @@ from typing import Any
 import numpy as np
 
 from ..base.errors import CurveUpsError, Stopped
-from ..base.motions import rigid_motion
 from ..base.native import native
 from ..stages.stage import Job
 
@@ -42,9 +41,7 @@ class Compensation:
 def compensate(design: Any, rounds: int, job: Job) -> Compensation:
     """Raises Stopped or native.Cancelled where `job` is stopped, CurveUpsError where the design itself does
     not settle, and what laying out and settling raise."""
-    faces = np.asarray(design.F)
-    given = design.target
-    wanted = np.asarray(given[0] if given is not None and np.array_equal(given[1], faces) else design.V)
+    faces, wanted = np.asarray(design.F), np.asarray(_target_of(design)[0])
     corner, on_target = faces.reshape(-1), wanted[faces].reshape(-1, 3)
     count = np.bincount(corner, minlength=len(wanted))[:, None]
     aim, best, kept = np.array(wanted), design, 0
@@ -76,13 +73,26 @@ def compensate(design: Any, rounds: int, job: Job) -> Compensation:
     return Compensation(best, tuple(mean), tuple(largest), kept)
 
 
+def _target_of(design: Any) -> Any:
+    """V and F of the target, where its triangles are those of the design; else the design's own."""
+    given = design.target
+    return given if given is not None and np.array_equal(given[1], design.F) else (design.V, design.F)
+
+
 def _relaid(design: Any, surface: np.ndarray, job: Job) -> tuple[Any, bool]:
     """A design of the same target and triangles on `surface` (N x 3, mm), laid out and repaired; and whether
     it is valid. Raises what the native functions raise."""
-    faces, given = np.asarray(design.F), design.target
-    wanted = given if given is not None and np.array_equal(given[1], faces) else (design.V, faces)
-    layout = native.solve_layout(surface, faces, design.cuts, design.parameters, job)
-    laid = native.Design(design.name, design.parameters, surface, faces, layout.T, layout.q, design.cuts,
-                         wanted)
+    layout = native.solve_layout(surface, design.F, design.cuts, design.parameters, job)
+    laid = native.Design(design.name, design.parameters, surface, design.F, layout.T, layout.q, design.cuts,
+                         _target_of(design))
     repaired = native.repair_design(laid, progress=job)
     return repaired.design, repaired.status == "valid"
+
+
+def rigid_motion(source: np.ndarray, target: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """R, t with the least sum of squares of R x + t - y over pairs of points, n x 3 (Kabsch, Acta
+    Cryst. A 32, 1976)."""
+    a, b = source.mean(0), target.mean(0)
+    u, _, vt = np.linalg.svd((target - b).T @ (source - a))
+    R = u @ np.diag([1.0, 1.0, np.linalg.det(u @ vt)]) @ vt
+    return R, b - R @ a

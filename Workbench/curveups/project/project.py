@@ -14,15 +14,51 @@ from functools import cached_property
 from typing import Any, Iterable, Iterator, Mapping, Optional, Sequence
 
 from ..base.errors import CurveUpsError, Stopped
-from ..base.findings import Finding
+from ..base.findings import Finding, unique
 from ..base.native import native, translated
 from ..base.output import safe_name
 from ..base.parameters import with_values
-from ..stages import BY_NAME
+from ..stages import BY_NAME, SETTLED, VERDICT
 from ..stages.design import FinishedDesign
 from ..stages.stage import Inputs, Job, Picture, Result, Row, Stage, digest
 from .keys import Key, Record, Records, changes, differences, key_of, settled
-from .verdict import Verdict, judge
+
+HOLDS = {True: "holds", False: "does not hold", None: "not settled"}
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """valid is None where the design could not be judged; the reasons say why in any case. holds: whether
+    the settled shape stays; None where that is not known."""
+
+    valid: Optional[bool] = None
+    reasons: tuple[Finding, ...] = ()
+    holds: Optional[bool] = None
+
+    @property
+    def word(self) -> str:
+        """Both, which are always shown together."""
+        valid = {True: "valid", False: "not valid", None: "not judged"}[self.valid]
+        return f"{valid}, {HOLDS[self.holds]}"
+
+
+def judge(results: Mapping[str, Any], note: Optional[Finding] = None) -> Verdict:
+    """The verdict on the results of a run. note: why there is no verification."""
+    holds = results[SETTLED].holds if SETTLED in results else None
+    reasons = [reason for result in results.values() for reason in result.reasons()]
+    verification = results.get(VERDICT)
+    if verification is not None and reasons and not verification.failure:
+        reasons += [advice for result in results.values() for advice in result.advice()]
+    if reasons:
+        return Verdict(False, unique(reasons), holds)
+    if verification is not None and verification.valid:
+        # What was asked for besides and is not known, as the work was stopped.
+        notes = [getattr(result, "note", None) for name, result in results.items()
+                 if name in BY_NAME and BY_NAME[name].judges]
+        open_questions = tuple(note for note in notes if note)
+        return Verdict(None if open_questions else True, open_questions, holds)
+    note = verification.note if verification is not None else note
+    return Verdict(None, (note,) if note else (), holds)
 
 
 @dataclass(frozen=True)

@@ -13,8 +13,8 @@ from typing import Any, Callable, Collection, Hashable, Mapping, Sequence
 import numpy as np
 
 from ..base.errors import CurveUpsError
+from ..base.findings import Value
 from ..base.native import native, translated
-from ..base.value import Value
 from ..stages.stage import digest
 from .project import Made
 
@@ -29,25 +29,6 @@ def to_text(made: Mapping[str, Made], without: Collection[str] = ()) -> str:
                       "result": writer.encode(one.result)}
                for name, one in made.items() if one.result.lasting}
     return json.dumps({"format": FORMAT, "version": VERSION, "shared": writer.shared, "results": results})
-
-
-def as_read(made: Mapping[str, Made], without: Collection[str] = ()) -> dict[str, Made]:
-    """What `from_text` makes of the text of these, without a text."""
-    return {name: dataclasses.replace(one, result=_without(one.result, without))
-            for name, one in made.items() if one.result.lasting}
-
-
-def _without(value: Any, names: Collection[str]) -> Any:
-    """A value with these fields at their defaults, and so in the values that it consists of."""
-    if not isinstance(value, Value):
-        return value
-    changed = {}
-    for field in dataclasses.fields(value):
-        now = getattr(value, field.name)
-        then = field.default if field.name in names else _without(now, names)
-        if then is not now:
-            changed[field.name] = then
-    return dataclasses.replace(value, **changed) if changed else value
 
 
 def from_text(text: str, where: str = "") -> dict[str, Made]:

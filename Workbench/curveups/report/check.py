@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Sequence
+from typing import Any, Callable, Sequence
 
 import numpy as np
 
@@ -11,9 +11,8 @@ from ..base.errors import tile_name
 from ..base.findings import Finding
 from ..base.sentences import ESTIMATE
 from ..project.project import Results
-from ..stages.advice import of_limits
 from ..stages.feasibility import Obstacle, TileFigure
-from . import html, tables
+from . import data, html
 
 FORMAT, VERSION = "curveups-check", 1
 Row = tuple[str, str, str, str, str]
@@ -58,20 +57,20 @@ def verdict(results: Results) -> list[Finding]:
 
 def rows(results: Results) -> list[Row]:
     """What is compared, the worst value, the tile that has it, what is wanted, how many tiles miss that."""
-    found = results["feasibility"]
-    return [_row(figure, found.blocked) for figure in found.figures]
+    return [row(figure, results["feasibility"].blocked) for figure in results["feasibility"].figures]
 
 
-def _row(figure: TileFigure, blocked: tuple[Obstacle, ...]) -> Row:
-    worst, wanted = figure.worst(), f"{figure.needed:g}" + " *" * figure.estimate
-    value, tile = ("-", "") if worst is None else (f"{figure.values[worst]:.3g}", tile_name(worst))
+def row(figure: TileFigure, blocked: Sequence[Obstacle], number: Callable[[float, str], str] = format) -> Row:
+    """number: writes a value of the figure, and how Python does."""
+    worst, wanted = figure.worst(), number(figure.needed, "g") + " *" * figure.estimate
+    value, tile = ("-", "") if worst is None else (number(figure.values[worst], ".3g"), tile_name(worst))
     return figure.name, value, tile, wanted, str(figure.short(blocked))
 
 
 def advice(results: Results) -> list[Finding]:
     """On the limits of sizes."""
     get = results.parameters.get
-    return list(of_limits(results["sizes"], get("L"), get("H_body")))
+    return list(results["sizes"].findings(get("L"), get("H_body")))
 
 
 def _reasons(blocked: Sequence[Obstacle]) -> list[str]:
@@ -111,11 +110,11 @@ def build_page(results: Results) -> str:
              *html.pictured("blocked", "The target from both sides: tiles that can't be made in red, those "
                             "that are likely to fail in orange.",
                             V=found.V, F=found.F, marks=_marks(len(found.F), blocked)),
-             "<h2>Margins</h2>", tables.table(rows(results), HEAD), f'<p class="note">{ESTIMATE}</p>']
+             "<h2>Margins</h2>", data.table(rows(results), HEAD), f'<p class="note">{ESTIMATE}</p>']
     if blocked:
         parts += ["<h2>Obstacles</h2>",
-                  tables.table([(tile_name(one.tile), str(one.why), "certain" if one.certain else "estimate")
-                                for one in blocked[:_MOST_LISTED]], ("Tile", "Why", ""))]
+                  data.table([(tile_name(one.tile), str(one.why), "certain" if one.certain else "estimate")
+                              for one in blocked[:_MOST_LISTED]], ("Tile", "Why", ""))]
         if len(blocked) > _MOST_LISTED:
             parts.append(f'<p class="note">and {len(blocked) - _MOST_LISTED} more, in check.json</p>')
     return html.page(results.title, parts)

@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 import math
 import sys
+from html import escape
 from typing import Any, Sequence
 
 import numpy as np
@@ -81,3 +82,27 @@ def _finite(value: Any) -> Any:
     if isinstance(value, float) and not math.isfinite(value):
         return None
     return value
+
+
+def table(rows: Sequence[tuple[Any, ...]], head: tuple[str, ...] = ()) -> str:
+    """Rows of texts and numbers."""
+    top = "<tr>" + "".join(f"<th>{escape(cell)}</th>" for cell in head) + "</tr>" if head else ""
+    lines = []
+    for row in rows:
+        cells = "".join(f"<td>{escape(show(cell))}</td>" for cell in row)
+        lines.append(f"<tr>{cells}</tr>")
+    kind = "" if len(head) > 2 else ' class="pairs"'
+    return f"<table{kind}>{top}{''.join(lines)}</table>"
+
+
+def show(value: Any) -> str:
+    """A value in few digits."""
+    if value is None:
+        return "–"
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, float):
+        return f"{value:.4g}" if abs(value) < 1e5 else f"{value:.0f}"
+    if isinstance(value, (list, tuple)):
+        return ", ".join(show(item) for item in value)
+    return str(value)

@@ -5,7 +5,7 @@ says so in every file whose format has a place for that, and in the reports."""
 from __future__ import annotations
 
 import string
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Callable, ClassVar, Iterable, Mapping, Optional, Sequence
@@ -41,10 +41,7 @@ class Doubt(Result):
     """Why files that were insisted on should not be printed."""
 
     lasting: ClassVar[bool] = False
-    found: tuple[Finding, ...] = field(default=())
-
-    def reasons(self) -> Sequence[Finding]:
-        return self.found
+    broken: tuple[Finding, ...] = ()
 
 
 def choices() -> list[File]:
@@ -148,16 +145,15 @@ def _doubtful(why: Finding, project: Project) -> CurveUpsError:
     return CurveUpsError(str(why), project.where, "mend that, or insist on the files", finding=why)
 
 
-def _printed(project: Project, choice: Choice, job: Job, goals: Sequence[str] = ()) -> Results:
-    """Solids under the title and deviation of the files. goals: by default all that a print asks for, and
-    verification as far as it is current."""
+def _printed(project: Project, choice: Choice, job: Job) -> Results:
+    """Solids under the title and deviation of the files; verification as far as it is current."""
     parameters = project.parameters
     if choice.deviation is not None:
         with translated("mesh_deviation"):
             parameters.set("mesh_deviation", choice.deviation)
     design = project.latest("design").design
     named = design.with_name(doubtful(design.name, False)) if choice.doubts else design
-    goals = goals or (*_current(project, asked_by("verify")), *asked_by("print"))
+    goals = (*_current(project, asked_by("verify")), *asked_by("print"))
     results = run_under(project, named, parameters, goals, job, Finding("unverified.export"))
     if job.stopped:
         raise Stopped

@@ -40,11 +40,13 @@ def write_files(results: Results, path: Path, job: Job, write_document: WriteDoc
         folder.write_text("design.json", native.write_design(results.design))
         suggested = results.get("suggestions")
         if suggested is not None and suggested.proposed:
-            folder.write_text(_cuts_name(results.name), cuts_text(results))
+            edges = np.vstack([results.design.cuts, *(cut.edges for cut in suggested.proposed)])
+            folder.write_text(f"{results.name}-cuts.json",  # as `--cuts` takes them
+                              json.dumps({"edges": np.sort(edges, axis=1).tolist()}) + "\n")
         if has_solids(results):
             try:
                 _write_solids(results, folder, job)
-                document = _document_name(results.name)
+                document = f"{results.name}.FCStd"
                 job.go_on(f"writing {document}")
                 folder.write(document, lambda place: software.update(write_document(results, place)))
             except (Stopped, native.Cancelled):
@@ -61,7 +63,7 @@ def _write_solids(results: Results, folder: Folder, job: Job) -> None:
     for form in sorted(native.print_formats(), key=lambda form: form.ending != "3mf"):
         for kind in form.kinds:
             if kind in (*solids.kinds, "print", "actuated"):
-                name = _print_name(results.name, kind, form.ending)
+                name = f"{results.name}-{kind}.{form.ending}"
                 job.go_on(f"writing {name}")
                 folder.write(name, lambda place: model.write(form.ending, kind, str(place), job))
 
@@ -93,25 +95,13 @@ def write_check(results: Results, path: Path) -> None:
 def _earlier(results: Results, path: Path) -> list[str]:
     """The files that a run under this name may have left, but for the cuts that this one was given."""
     name = results.name
-    made = [_print_name(name, kind, one.ending) for one in native.print_formats() for kind in one.kinds]
+    made = [f"{name}-{kind}.{one.ending}" for one in native.print_formats() for kind in one.kinds]
     request = results.get("cut request")
     given = Path(request.where) if request is not None and request.where else None
-    cuts = path / _cuts_name(name)
+    cuts = path / f"{name}-cuts.json"
     if not (given and cuts.exists() and given.exists() and cuts.samefile(given)):
         made.append(cuts.name)
-    return [*made, _document_name(name)]
-
-
-def _print_name(name: str, kind: str, ending: str) -> str:
-    return f"{name}-{kind}.{ending}"
-
-
-def _document_name(name: str) -> str:
-    return f"{name}.FCStd"
-
-
-def _cuts_name(name: str) -> str:
-    return f"{name}-cuts.json"
+    return [*made, f"{name}.FCStd"]
 
 
 def write_reports(results: Results, folder: Folder, rows: list[Row] | None = None, stopped: bool = False,
@@ -128,12 +118,6 @@ def write_reports(results: Results, folder: Folder, rows: list[Row] | None = Non
     folder.write("report.html", write_page)
     list_files(report, folder.files)
     folder.write_text("report.json", to_text(report))
-
-
-def cuts_text(results: Results) -> str:
-    """The design's cuts and those proposed, as `--cuts` takes them."""
-    edges = np.vstack([results.design.cuts, *(cut.edges for cut in results["suggestions"].proposed)])
-    return json.dumps({"edges": np.sort(edges, axis=1).tolist()}) + "\n"
 
 
 def write_obj(folder: Folder, name: str, V: np.ndarray, F: np.ndarray) -> None:

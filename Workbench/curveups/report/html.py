@@ -4,20 +4,17 @@
 from __future__ import annotations
 
 import base64
-from importlib import import_module
 from html import escape
-from typing import Any, Iterable, Optional, Sequence, Union
+from importlib import import_module
+from typing import Any, Iterable, Mapping, Optional, Sequence, Union
 
 from ..base.errors import tile_list, tile_name
 from ..base.parameters import table as parameter_table
-from ..project.project import Results
-from ..project.verdict import HOLDS
-from ..stages.stage import Picture
+from ..project.project import HOLDS, Results
+from ..stages.actuation import states
 from .assembly import steps
-from .changes import changes, worst_contacts
-from .moving import states_table
+from .data import show, table
 from .shop import latex, print_picture, quote, rules
-from .tables import show, table
 
 _STYLE = """
 body { font: 15px/1.5 system-ui, sans-serif; color: #2b2620; background: #faf8f4; margin: 0; }
@@ -41,21 +38,15 @@ figure { margin: 0; } figcaption { color: #6d6454; font-size: .9rem; }
 Drawn = Union[bytes, str]  # PNG, or HTML of what moves
 # Modules and their functions. matplotlib is loaded where the first picture is drawn.
 _VIEWS = {"flat": ("pictures", "flat_layout"), "actuated": ("pictures", "actuated_view"),
-          "cuts": ("cut_pictures", "cut_view"), "stretch": ("membrane_pictures", "stretch_view"),
+          "cuts": ("pictures", "cut_view"), "stretch": ("pictures", "stretch_view"),
           "movement": ("pictures", "movement_view"), "blocked": ("pictures", "blocked_view"),
-          "moving": ("moving", "moving_view"), "print": ("print_pictures", "print_view")}
+          "moving": ("actuation", "moving_view"), "print": ("print_pictures", "print_view")}
 
 
 def view(name: str, **data: Any) -> Drawn:
     """A picture."""
     module, function = _VIEWS[name]
     return getattr(import_module(f".{module}", __package__), function)(**data)
-
-
-def _pictures(results: Results) -> list[Picture]:
-    """What is printed belongs to the shop's block, which comes first."""
-    printed = print_picture(results)
-    return [*([printed] if printed else []), *results.pictures()]
 
 
 def pictured(name: str, caption: str, **data: Any) -> list[str]:
@@ -68,7 +59,8 @@ def build_html(results: Results, report: dict) -> str:
     parts = [f"<h1>{escape(report['title'])}</h1>", _verdict(report)]
     printed = "print" in report and "sheets" in report
     parts += _shop(report, results.parameters) if printed else []
-    for one in _pictures(results):
+    of_print = print_picture(results)  # belongs to the shop's block
+    for one in (*([of_print] if of_print else []), *results.pictures()):
         parts += [f"<h2>{escape(one.heading)}</h2>"] if one.heading else []
         parts += pictured(one.view, one.caption, **one.data)
     parts += _cuts(report.get("suggested_cuts", ()))
@@ -109,6 +101,11 @@ def _verdict(report: dict) -> str:
                       for text in report.get("not_covered", ())))
 
 
+def _section(heading: str, rows: Sequence[tuple[Any, ...]], head: tuple[str, ...]) -> list[str]:
+    """A heading and a table; nothing without rows."""
+    return [f"<h2>{heading}</h2>", table(rows, head)] if rows else []
+
+
 def _window(ranges: Sequence[dict]) -> list[str]:
     """How far each parameter may be off, and what fails first beyond."""
     def beyond(end: Optional[dict]) -> str:
@@ -119,10 +116,8 @@ def _window(ranges: Sequence[dict]) -> list[str]:
              " to ".join(map(show, one["searched"])),
              *(beyond(one[end]) for end in ("fails_low", "fails_high")))
             for one in ranges]
-    if not rows:
-        return []
-    return ["<h2>Process window</h2>",
-            table(rows, ("Each alone", "From", "To", "Searched", "What fails below", "What fails above"))]
+    return _section("Process window", rows, ("Each alone", "From", "To", "Searched", "What fails below",
+                                             "What fails above"))
 
 
 def _cuts(cuts: Sequence[dict]) -> list[str]:
@@ -147,11 +142,8 @@ def _pieces(pieces: Sequence[dict]) -> list[str]:
     rows = [(one["piece"], f"{tile_name(one['first_tile'])} and {one['tiles'] - 1} more", one["contacts"],
              one["actuated_cm2"], one["normal_mean"], one["normal_min"], one["f_min"], words[one["valid"]])
             for one in pieces]
-    if not rows:
-        return []
-    return ["<h2>Pieces</h2>",
-            table(rows, ("Piece", "Tiles", "Contacts", "Actuated, cm²", "Mean normal force, N", "Least, N",
-                         "f_min of its own mean, N", "Holds"))]
+    return _section("Pieces", rows, ("Piece", "Tiles", "Contacts", "Actuated, cm²", "Mean normal force, N",
+                                     "Least, N", "f_min of its own mean, N", "Holds"))
 
 
 def picture(drawn: Drawn, caption: str) -> str:
@@ -220,3 +212,105 @@ def _parameters(values: dict) -> str:
     return table([(row.group, row.name, values[row.name], row.unit, row.meaning)
                   for row in parameter_table()],
                  ("Group", "Name", "Value", "Unit", "Meaning"))
+
+
+_MOST = 10  # rows of a table of moved vertices
+
+
+def changes(report: Mapping[str, Any]) -> list[str]:
+    """Sections on what was changed of the target and its tiles; none where nothing was."""
+    parts: list[str] = []
+    for heading, block, lines in (("Mending", "mending", _mending),
+                                  ("Feasibility smoothing", "pin_smoothing", _pin_smoothing),
+                                  ("Repair", "repair", _repair)):
+        if block in report:
+            parts += [f"<h3>{heading}</h3>", *lines(report[block], report)]
+    return ["<h2>Changes</h2>", *parts] if parts else []
+
+
+def worst_contacts(contacts: Sequence[Mapping[str, Any]], f_min: float) -> list[str]:
+    """The contacts with the least normal force, of a valid design too."""
+    rows = [(_pair(one["tiles"]), one["normal_min"], one["normal_min"] / f_min if f_min else None,
+             one["normal_mean"], one["friction_ratio"]) for one in contacts]
+    return _section("Worst contacts", rows, ("Tiles", "Least normal force, N", "in units of f_min",
+                                             "Mean normal force, N", "Friction / normal force"))
+
+
+def _mending(block: Mapping[str, Any], report: Mapping[str, Any]) -> list[str]:
+    actions, remaining = block["actions"], block["remaining"]
+    parts = [f"<p>{'The target was mended:' if actions else 'There was nothing to mend.'}</p>"]
+    if actions:
+        parts += ["<ul>", *(f"<li>{escape(action)}</li>" for action in actions), "</ul>",
+                  table([("Vertices moved", block["moved_vertices"]),
+                         ("Mean of these", _mm(block["mean_mm"])), ("Largest", _mm(block["max_mm"])),
+                         ("Hausdorff distance between before and after", _mm(block["hausdorff_mm"]))])]
+    if remaining:
+        parts.append(f"<p>These tiles still have too little space: {tile_list(remaining, 12)}.</p>")
+    return parts
+
+
+def _mm(value: float) -> str:
+    return f"{show(value)} mm"
+
+
+def _pin_smoothing(block: Mapping[str, Any], report: Mapping[str, Any]) -> list[str]:
+    sides = [(tile_name(one["tile"]), one["side"], one["area_before_mm2"]) for one in block["pin_sides"]]
+    text = (f"Moving vertices gave pins more space: {_moved(block)}. {len(sides)} pin sides had less "
+            f"than A_pin_min before, and {block['remaining']} still have less.")
+    return [f"<p>{escape(text)}</p>", *_vertices(block),
+            table(sides[:_MOST], ("Tile", "Side", "Largest pin before, mm²")), *_rest(len(sides))]
+
+
+def _repair(block: Mapping[str, Any], report: Mapping[str, Any]) -> list[str]:
+    ended = {"valid": "It ended with a valid design.", "stopped": "It was stopped.",
+             "blocked": "It could not strengthen all contacts." if block["blocked"] or not block.get("cuts")
+             else "It could not keep membranes from cutting into bodies."}[block["status"]]
+    mended = [_pair(pair) for pair in block.get("mended", ())]
+    text = (f"{ended} {len(block['steps'])} steps; corners and insets moved by up to "
+            f"{show(block['largest_move_mm'])} mm in the layout; {_moved(block)}.")
+    parts = [f"<p>{escape(text)}</p>"]
+    if mended:
+        shown = ", ".join(mended[:4 * _MOST])
+        more = f" and {len(mended) - 4 * _MOST} more" if len(mended) > 4 * _MOST else ""
+        parts.append(f"<p>{escape(f'These contacts were weak before: {shown}{more}.')}</p>")
+    parts += _vertices(block)
+    if block["blocked"]:
+        parts.append(table([(_pair(one["tiles"]), one["reason"]) for one in block["blocked"][:_MOST]],
+                           ("Contact that stays weak", "Why")))
+        parts += _rest(len(block["blocked"]))
+    return parts
+
+
+def _moved(block: Mapping[str, Any]) -> str:
+    moved = block.get("moved_vertices", ())
+    if not moved:
+        return "no vertex moved"
+    return f"{len(moved)} vertices moved by up to {show(moved[0]['mm'])} mm"
+
+
+def _vertices(block: Mapping[str, Any]) -> list[str]:
+    moved = block.get("moved_vertices", ())
+    if not moved:
+        return []
+    rows = [(one["vertex"], ", ".join(map(tile_name, one["tiles"])), one["mm"]) for one in moved[:_MOST]]
+    return [table(rows, ("Vertex", "Tiles around it", "Moved by, mm")), *_rest(len(moved))]
+
+
+def _rest(count: int) -> list[str]:
+    return [f'<p class="note">{count - _MOST} more are in report.json.</p>'] if count > _MOST else []
+
+
+def _pair(tiles: Sequence[int]) -> str:
+    return "–".join(tile_name(tile) for tile in tiles)
+
+
+WORDS = {"by_itself": "released", "shaken": "shaken", "pressed": "pressed and let go"}
+
+
+def states_table(block: Mapping[str, Any]) -> str:
+    """States of a block of report.json, a row each."""
+    rows = [(WORDS[name] if state["converged"] else f"{WORDS[name]}: no rest",
+             *(state[key] for key in ("mean_mm", "rms_mm", "p95_mm", "max_mm", "hausdorff_mm")),
+             len(state["open_contacts"]), state["energy_n_mm"]) for name, state in states(block).items()]
+    return table(rows, ("State", "Mean, mm", "RMS, mm", "95 %, mm", "Largest, mm", "Hausdorff, mm",
+                        f"Open of {block['contacts']} contacts", "Energy, N mm"))

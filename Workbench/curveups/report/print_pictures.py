@@ -118,8 +118,7 @@ def _seen(model: Any) -> tuple[np.ndarray, np.ndarray]:
             # Darker with depth, in bands.
             below = found[:, :, 2].max() - found[:, :, 2].mean(1)
             corners.append(found)
-            colours.append(np.array(native.COLOURS[kind]) / 255
-                           * (1 - 0.6 * (below % BAND) / BAND)[:, None])
+            colours.append(np.array(native.COLOURS[kind]) / 255 * (1 - 0.6 * (below % BAND) / BAND)[:, None])
     found, colour = np.concatenate(corners), np.concatenate(colours)
     order = np.argsort(found[:, :, 2].mean(1), kind="stable")
     return found[order][:, :, :2], colour[order]

@@ -10,8 +10,7 @@ from ..base.native import native
 from ..project.project import Results
 from ..stages.solids import fits_bed, fits_turned, overhangs, read_printer
 from ..stages.stage import Picture
-from .data import has_solids
-from .tables import show
+from .data import has_solids, show
 
 _FLAT = Text("{side}, as the files stand; support is printed with the parts")
 _TILTED = Text("{side}, tilted as a whole; the bridges are printed with the parts")

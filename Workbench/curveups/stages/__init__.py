@@ -1,14 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lists the stages of the work, one file each, in the order in which reports show their results."""
+"""Lists the stages of the work, in the order in which reports show their results."""
 
-from . import (actuation, anchoring, clearances, cuts, design, deviation, division,
-               feasibility, layout, pieces, pin_smoothing, repair, settle, sheets, sizes,
-               solids, suggestions, surface, target, target_smoothing, verification)
+from . import (actuation, design, division, feasibility, layout, pieces, repair, settle, sheets, sizes,
+               smoothing, solids, suggestions, surface, target, verification)
 
-STAGES = (surface.STAGE, target.STAGE, target_smoothing.STAGE, division.STAGE, feasibility.STAGE,
-          sizes.STAGE, cuts.STAGE, suggestions.SEARCH, pin_smoothing.STAGE, layout.STAGE,
-          verification.OF_LAYOUT, repair.STAGE, design.STAGE, design.FIGURES, deviation.STAGE,
-          clearances.STAGE, verification.STAGE, pieces.STAGE, anchoring.STAGE,
+STAGES = (surface.STAGE, target.STAGE, smoothing.TARGET, division.STAGE, feasibility.STAGE,
+          sizes.STAGE, division.CUTS, suggestions.SEARCH, smoothing.STAGE, layout.STAGE,
+          verification.OF_LAYOUT, repair.STAGE, design.STAGE, design.FIGURES, design.DEVIATION,
+          design.CLEARANCES, verification.STAGE, pieces.STAGE, sheets.ANCHORING,
           solids.BODIES, sheets.STAGE, solids.STAGE, settle.STAGE, actuation.STAGE, solids.CHECK,
           suggestions.STAGE)
 

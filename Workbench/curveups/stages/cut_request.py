@@ -87,8 +87,7 @@ def read_json_object(path: Path) -> dict:
     except (ValueError, RecursionError) as error:
         raise CurveUpsError(f"this is no JSON: {error}", str(path), "mend the file") from None
     if not isinstance(data, dict):
-        raise CurveUpsError("the file does not hold a JSON object", str(path),
-                            "put everything in braces")
+        raise CurveUpsError("the file does not hold a JSON object", str(path), "put everything in braces")
     return data
 
 
@@ -97,8 +96,7 @@ def _edges(rows: Any, where: str) -> np.ndarray:
         isinstance(row, list) and len(row) == 2
         and all(type(v) is int and 0 <= v < 2**31 for v in row) for row in rows)
     if not good:
-        raise CurveUpsError("edges is no list of pairs of vertex numbers", where,
-                            "give [[a,b],...]")
+        raise CurveUpsError("edges is no list of pairs of vertex numbers", where, "give [[a,b],...]")
     return np.array(rows, np.int32).reshape(-1, 2)
 
 
@@ -142,3 +140,13 @@ def mesh_edges(F: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     sides = np.sort(F[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
     pairs, faces = np.unique(sides, axis=0, return_counts=True)
     return pairs, faces
+
+
+def sides_of_edges(F: np.ndarray) -> dict[tuple[int, int], list[tuple[int, int]]]:
+    """The tiles at each edge (its vertices, the lower first), with which side (0 to 2) of theirs it is."""
+    sides: dict[tuple[int, int], list[tuple[int, int]]] = {}
+    for tile, face in enumerate(np.asarray(F).tolist()):
+        for k in range(3):
+            a, b = face[k], face[(k + 1) % 3]
+            sides.setdefault((min(a, b), max(a, b)), []).append((tile, k))
+    return sides

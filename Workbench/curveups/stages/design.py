@@ -1,17 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The finished design, and how well it keeps its constraints."""
+"""The finished design: how well it keeps its constraints, how far its surface is from the target as the user
+gave it, and how near its tiles come to one another."""
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any, Mapping, Optional, Sequence
 
 import numpy as np
 
-from ..base.findings import Finding, all_of
-from ..base.native import native
+from ..base.errors import CurveUpsError
+from ..base.findings import Finding, all_of, failed
+from ..base.native import native, translated
 from ..base.parameters import table
-from .stage import Inputs, Picture, Result, Stage, digest
+from .stage import Inputs, Job, Picture, Result, Stage, digest
 
 
 def design_digest(design: Any) -> str:
@@ -132,3 +135,63 @@ def _evaluate(inputs: Inputs) -> Figures:
 FIGURES = Stage("figures", ("design",), frozenset({"tiles", "layout"}),
                 lambda inputs, job: _evaluate(inputs), on_stop=lambda stage, inputs: _evaluate(inputs),
                 label="Constraints", asked_by=("solve", "verify", "build", "print"), judges=True)
+
+
+@dataclass(frozen=True)
+class Deviation(Result):
+    """Distances in mm, the largest ones within 0.005 mm; None where the work was stopped."""
+
+    mean: Optional[float] = None
+    rms: Optional[float] = None
+    largest: Optional[float] = None
+    hausdorff: Optional[float] = None
+
+    def report(self) -> dict[str, Any]:
+        if self.mean is None:
+            return {}
+        return {"deviation": {"mean_mm": self.mean, "rms_mm": self.rms, "max_mm": self.largest,
+                              "hausdorff_mm": self.hausdorff}}
+
+
+def _measure_deviation(inputs: Inputs, job: Job) -> Deviation:
+    target, design = inputs["target"], inputs["design"].design
+    V, F = target.given
+    return Deviation(*native.surface_deviation(design.V, design.F, V, F, job))
+
+
+DEVIATION = Stage("deviation", ("target", "design"), frozenset(), _measure_deviation,
+                  on_stop=lambda stage, inputs: Deviation(),
+                  label="Deviation", asked_by=("solve",))
+
+
+@dataclass(frozen=True)
+class Clearances(Result):
+    """How near printed tiles come to one another and how much actuated ones overlap, in closed form: a
+    verdict without solids covers it. None where the work was stopped or tiles can't be made (`broken`)."""
+
+    flat_mm: Optional[float] = None        # least distance of two tiles; infinite with one tile
+    overlap_mm3: Optional[float] = None    # largest volume that two share when actuated
+    broken: tuple[Finding, ...] = ()       # reasons
+    note: Optional[Finding] = None         # why this is not known
+
+    def report(self) -> dict[str, Any]:
+        if self.flat_mm is None:
+            return {}
+        return {"clearances": {"min_flat_mm": self.flat_mm if math.isfinite(self.flat_mm) else None,
+                               "max_overlap_actuated_mm3": self.overlap_mm3}}
+
+
+def _measure_clearances(inputs: Inputs, job: Job) -> Clearances:
+    design = inputs["design"].design.with_parameters(inputs.parameters)
+    try:
+        with translated(inputs.where):
+            flat, overlap, reasons = native.measure_clearances(design, job)
+    except CurveUpsError as error:
+        # Tiles that can't be made are no input that can't be read: the verdict says it.
+        return Clearances(broken=(failed("unprintable", error),))
+    return Clearances(flat, overlap, all_of(reasons))
+
+
+CLEARANCES = Stage("clearances", ("design",), frozenset({"tiles", "bodies"}), _measure_clearances,
+                   on_stop=lambda stage, inputs: Clearances(note=Finding.about("stopped", stage=stage)),
+                   label="Clearances", asked_by=("solve", "verify"), judges=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The target in pieces, where one layout can't do it all: closed, with handles, stretched too far.
+"""Cuts of the target, and its pieces where one layout can't do it all: closed, with handles, stretched far.
 
 Pieces are decided on the remeshed target as cuts are: borders between them are cut, and what inside of a
 piece keeps it from lying flat. They are a result like any other, so that the same target and parameters
@@ -14,7 +14,7 @@ from typing import Any, Optional, Sequence
 import numpy as np
 
 from ..base.errors import CurveUpsError
-from ..base.findings import Finding
+from ..base.findings import Finding, settle
 from ..base.native import native, translated
 from .cut_request import CutRequest, resolve_cuts
 from .feasibility import too_stretched
@@ -33,14 +33,11 @@ class Division(Result):
     given: np.ndarray
     piece: np.ndarray
     asked: str = "1"
-    found: tuple[Finding, ...] = ()   # warnings
+    warned: tuple[Finding, ...] = ()
 
     @property
     def content(self) -> str:
         return digest(self.edges, self.given)
-
-    def warnings(self) -> Sequence[Finding]:
-        return self.found
 
     def rows(self, seconds: float) -> Sequence[Row]:
         return () if self.asked == "1" else (Row("pieces", seconds),)
@@ -90,7 +87,7 @@ def _divided(given: np.ndarray, V: np.ndarray, F: np.ndarray, count: int, asked:
 
 
 def _warned(division: Division, kind: str, **figures: Any) -> Division:
-    return replace(division, found=(Finding.about(kind, **figures),))
+    return replace(division, warned=(Finding.about(kind, **figures),))
 
 
 def _count(division: Division) -> int:
@@ -121,3 +118,26 @@ def _parts(parameters: Any) -> frozenset[str]:
 
 STAGE = Stage("division", ("target", "target smoothing", "cut request"), _parts, _run,
               label="Pieces", asked_by=("solve",))
+
+
+@dataclass(frozen=True)
+class Cuts(Result):
+    """edges: C x 2 vertex pairs of the target, each once, ascending."""
+
+    edges: np.ndarray
+
+    @property
+    def content(self) -> str:
+        return digest(self.edges)
+
+
+def _check(inputs: Inputs, job: Job) -> Cuts:
+    V, F = inputs["target smoothing"].V, inputs["target"].F
+    edges = inputs["division"].edges
+    errors = [one for one in native.check_target(V, F, edges, inputs.parameters) if one.is_error]
+    settle(errors, inputs.where)
+    return Cuts(edges)
+
+
+CUTS = Stage("cuts", ("target", "target smoothing", "division"), frozenset({"tiles"}), _check,
+             label="Cuts", asked_by=("solve",), shown=True)

@@ -11,15 +11,14 @@ at which designs began to fail.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any, Iterator, Optional
+from typing import Any, Iterator, Optional, Sequence
 
 import numpy as np
 
-from ..base.findings import Finding
+from ..base.findings import Finding, Value
 from ..base.native import native
 from ..base.sentences import MARGINS
-from ..base.value import Value
-from .pin_smoothing import smooth_for_pins
+from .smoothing import smooth_for_pins
 from .stage import Inputs, Job, Result, Stage, digest
 
 _SIDES = ("front", "back")
@@ -68,7 +67,7 @@ class TileFigure(Value):
             return None
         return int(np.nanargmax(self.values) if self.most else np.nanargmin(self.values))
 
-    def short(self, blocked: tuple[Obstacle, ...]) -> int:
+    def short(self, blocked: Sequence[Obstacle]) -> int:
         """How many tiles miss it."""
         return len({one.tile for one in blocked if one.obstacle == self.obstacle
                     and self.side in ("", one.why.figures.get("side"))})
@@ -130,9 +129,11 @@ def examine(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any) ->
     ranges = np.stack([margins.least_stretch, margins.most_stretch], axis=1)
     blocked = [
         *(_obstacle("fold", tile) for tile in np.flatnonzero(margins.back_scale < LEAST_BACK_FACE)),
-        *_without_pins(pin_area, get("A_pin_floor")), *_overlapping(overlapping), *_facing(meeting),
+        *_too_small("pin", "area", pin_area, get("A_pin_floor"), True),
+        *_in_pairs("overlap.bodies", overlapping, True), *_in_pairs("overlap.pins", meeting, False),
         *(_obstacle("closed.tile", tile) for tile in np.flatnonzero(np.isnan(stretch))),
-        *_cut_by_membranes(clearance, SAG * get("H_pin")), *_badly_stretched(stretch, ranges)]
+        *_too_small("membrane.room", "room", clearance, SAG * get("H_pin"), False),
+        *_badly_stretched(stretch, ranges)]
     with np.errstate(divide="ignore", invalid="ignore"):  # where not even the smallest pins hold a membrane
         of_least, of_most = (stretch[:, None] / ranges).T
     pairs = np.concatenate([overlapping, meeting]).ravel()
@@ -156,16 +157,19 @@ def _obstacle(kind: str, tile: int, certain: bool = True, **figures: Any) -> Obs
     return Obstacle(Finding.about(kind, [tile], **figures), certain)
 
 
-def _without_pins(area: np.ndarray, floor: float) -> Iterator[Obstacle]:
+def _too_small(kind: str, figure: str, values: np.ndarray, least: float, certain: bool) -> Iterator[Obstacle]:
+    """Sides of tiles (values: M x 2) that have less; figure: what sentences call the value."""
     with np.errstate(invalid="ignore"):
-        small = np.argwhere((area < floor) | (area <= 0))
+        small = np.argwhere((values < least) | (values <= 0))
     for tile, side in small:
-        yield _obstacle("pin", tile, side=_SIDES[side], area=float(area[tile, side]), least=floor)
+        yield _obstacle(kind, tile, certain, side=_SIDES[side], least=least,
+                        **{figure: float(values[tile, side])})
 
 
-def _overlapping(pairs: np.ndarray) -> Iterator[Obstacle]:
+def _in_pairs(kind: str, pairs: np.ndarray, certain: bool) -> Iterator[Obstacle]:
+    """Of either tile the other."""
     for a, b in (*pairs, *pairs[:, ::-1]):
-        yield _obstacle("overlap.bodies", a, other=(int(b),))
+        yield _obstacle(kind, a, certain, other=(int(b),))
 
 
 def _meeting(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, others: np.ndarray
@@ -174,19 +178,6 @@ def _meeting(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, o
     known = {tuple(sorted(pair)) for pair in others.tolist()}
     pairs = [pair for pair in native.facing_pins(V, F, edges, parameters) if tuple(pair) not in known]
     return np.array(pairs, np.int32).reshape(-1, 2)
-
-
-def _facing(pairs: np.ndarray) -> Iterator[Obstacle]:
-    for a, b in (*pairs, *pairs[:, ::-1]):
-        yield _obstacle("overlap.pins", a, certain=False, other=(int(b),))
-
-
-def _cut_by_membranes(clearance: np.ndarray, least: float) -> Iterator[Obstacle]:
-    with np.errstate(invalid="ignore"):
-        low = np.argwhere(clearance < least)
-    for tile, side in low:
-        yield _obstacle("membrane.room", tile, certain=False, side=_SIDES[side], least=least,
-                        room=float(clearance[tile, side]))
 
 
 def _badly_stretched(stretch: np.ndarray, ranges: np.ndarray) -> Iterator[Obstacle]:

@@ -4,13 +4,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Optional, Sequence
+from typing import Any, Optional
 
 import numpy as np
 
-from ..base.findings import Finding
+from ..base.findings import Finding, Value
 from ..base.native import native
-from ..base.value import Value
 from .cut_request import interior_edges
 from .stage import Inputs, Job, Result, Stage
 
@@ -37,7 +36,7 @@ class Pieces(Result):
     """In the order of their lowest tiles, as files and labels number them; none where all is one piece."""
 
     pieces: tuple[Piece, ...] = ()
-    weak: tuple[Finding, ...] = ()  # reasons besides those of the whole design
+    broken: tuple[Finding, ...] = ()  # reasons besides those of the whole design
 
     def report(self) -> dict[str, Any]:
         if not self.pieces:
@@ -47,9 +46,6 @@ class Pieces(Result):
                             "normal_mean": one.normal_mean, "normal_min": one.normal_min, "f_min": one.f_min,
                             "valid": one.valid, "reasons": list(map(str, one.reasons))}
                            for number, one in enumerate(self.pieces, 1)]}
-
-    def reasons(self) -> Sequence[Finding]:
-        return self.weak
 
 
 def _run(inputs: Inputs, job: Job) -> Pieces:

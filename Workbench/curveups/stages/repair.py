@@ -4,15 +4,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Optional, Sequence
+from typing import Any, Iterable, Optional, Sequence
 
 from ..base.errors import CurveUpsError
 from ..base.findings import Finding, all_of
 from ..base.native import native
-from .advice import against
 from .design import design_digest
 from .stage import Inputs, Job, Result, Row, Stage, moved_vertices
 from .verification import verification_of
+
+_GAP = "gap"  # of repair's obstacles: all others are pins'
 
 
 @dataclass(frozen=True)
@@ -41,9 +42,6 @@ class Repair(Result):
     def advice(self) -> Sequence[Finding]:
         return [contact["reason"] for contact in self.blocked]
 
-    def warnings(self) -> Sequence[Finding]:
-        return self.warned
-
     def rows(self, seconds: float) -> Sequence[Row]:
         return (Row("refine", seconds, len(self.block["steps"])),) if self.block else ()
 
@@ -59,7 +57,7 @@ def _run(inputs: Inputs, job: Job) -> Repair:
     blocked: tuple[dict[str, Any], ...] = tuple(
         {"tiles": list(contact.tiles), "reason": Finding.of(contact.reason), "obstacle": contact.obstacle}
         for contact in found.blocked)
-    suggestions = against(contact["obstacle"] for contact in blocked)
+    suggestions = _against(contact["obstacle"] for contact in blocked)
     if found.breakdown:
         suggestions += (Finding.about("broken_down", said=found.breakdown),)
     weak = {frozenset(contact["tiles"]) for contact in blocked}
@@ -80,16 +78,22 @@ def _run(inputs: Inputs, job: Job) -> Repair:
     return Repair(found.design if changed else before, verdict, found.status, block, blocked, suggestions)
 
 
+def _against(obstacles: Iterable[str]) -> tuple[Finding, ...]:
+    """What would help in general where repair met these; "": contacts that nothing holds stay weak."""
+    met = set(obstacles)
+    kinds = {"advice.cut_gaps": _GAP in met, "advice.pin_room": bool(met - {_GAP, ""}),
+             "advice.pull": "" in met}
+    return tuple(Finding(kind) for kind, there in kinds.items() if there)
+
+
 def _failed(error: CurveUpsError, inputs: Inputs) -> Repair:
     # No repair can begin from here: the design ends as it is, with the verdict it has.
     return Repair(inputs["layout"].design, inputs["verification of the layout"].verdict,
                   warned=(Finding("repair", (), {"error": error.what}),))
 
 
-def _stopped(stage: str, inputs: Inputs) -> Repair:
-    return Repair(inputs["layout"].design, inputs["verification of the layout"].verdict)
-
-
 STAGE = Stage("repair", ("layout", "verification of the layout"),
-              frozenset({"tiles", "layout", "bodies", "physics", "repair"}), _run, _failed, _stopped,
+              frozenset({"tiles", "layout", "bodies", "physics", "repair"}), _run, _failed,
+              lambda stage, inputs: Repair(inputs["layout"].design,
+                                           inputs["verification of the layout"].verdict),
               label="Repair", asked_by=("solve",))

@@ -10,9 +10,8 @@ from typing import Any, Mapping, Optional, Sequence
 import numpy as np
 
 from ..base.errors import CurveUpsError
-from ..base.findings import Finding, failed
+from ..base.findings import Finding, Value, failed
 from ..base.native import native, translated
-from ..base.value import Value
 from .stage import Inputs, Job, Picture, Result, Row, Stage
 
 

@@ -4,7 +4,7 @@
 A sheet is held by rows of teeth around an open window, which is as large as the anchors' box and a margin.
 The sheet carries a grid of lines, as far apart as the teeth over tau: stretched rightly, each tooth meets a
 crossing. Outside the outer teeth, hands hold the grip. The load on a side is the tension of a sheet stretched
-alike in both directions (anchoring.py) times the window's length there.
+alike in both directions (Anchoring) times the window's length there.
 """
 
 from __future__ import annotations
@@ -13,9 +13,50 @@ import math
 from dataclasses import dataclass, field
 from typing import Any, Mapping, Sequence
 
+from ..base.findings import Finding
 from ..base.native import native
-from .anchoring import SIDES
 from .stage import Inputs, Job, Result, Stage
+
+SIDES = ("front", "back")
+
+
+@dataclass(frozen=True)
+class Anchoring(Result):
+    """Pull (N) and shear (MPa) of the glue of one anchor, front and back; nothing without anchors.
+
+    Before the surplus is cut off it pulls at the outline (paper, section 6.2) with the tension of a sheet
+    that is stretched alike in both directions: of a neo-Hookean one T = G h (1 - tau^-6) N/mm, from the
+    Cauchy stress G (tau^2 - tau^-4) on the thickness h / tau^2. An anchor takes that along its spacing, with
+    the glue on one of its ends for each sheet."""
+
+    block: Mapping[str, Any] = field(default_factory=dict)
+    strength: float = math.inf  # MPa
+
+    def report(self) -> dict[str, Any]:
+        return {"anchors": dict(self.block)} if self.block else {}
+
+    def warnings(self) -> Sequence[Finding]:
+        worst = max(self.block.get("glue_shear_mpa", (0.0,)))
+        if worst <= self.strength:
+            return ()
+        return (Finding.about("anchor", pull=max(self.block["pull_n"]), shear=worst, limit=self.strength),)
+
+
+def _load_anchors(inputs: Inputs, job: Job) -> Anchoring:
+    get = inputs.parameters.get
+    if not get("anchors"):
+        return Anchoring()
+    tension = native.surplus_tension(inputs.parameters)
+    pull = [native.ANCHOR_SPACING * each for each in tension]
+    area = math.pi * get("anchor_radius") ** 2
+    return Anchoring({"surplus_tension_n_per_mm": list(tension), "pull_n": pull,
+                      "glue_shear_mpa": [each / area for each in pull]}, get("glue_strength"))
+
+
+ANCHORING = Stage("anchoring", (), frozenset({"layout", "support", "physics"}), _load_anchors,
+                  on_stop=lambda stage, inputs: Anchoring(),
+                  label="Anchors", asked_by=("solve",))
+
 
 TOOTH_PITCH = 15.0  # mm, from tooth to tooth of a stretching ring
 TOOTH_ROWS = 2      # on each side of the window

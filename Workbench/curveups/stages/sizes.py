@@ -6,11 +6,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, Callable, Optional
+from typing import Any, Callable, Iterator, Optional
 
 import numpy as np
 
 from ..base.errors import CurveUpsError
+from ..base.findings import Finding
 from ..base.native import translated
 from ..base.parameters import parameter, with_values
 from .cut_request import CutRequest
@@ -38,6 +39,20 @@ class Limits(Result):
     @property
     def content(self) -> str:
         return digest(self.L, self.H_body)
+
+    def findings(self, L: float, H_body: float) -> Iterator[Finding]:
+        """What to say of them where tiles have this length and thickness, mm."""
+        if self.was_stopped:
+            return
+        if self.L is not None:
+            yield Finding.about("limits.L", H_body=H_body, low=self.L[0], high=self.L[1])
+        elif self.remeshed:
+            yield Finding.about("limits.no_L", H_body=H_body)
+        if self.H_body is not None:
+            yield Finding.about("limits.H_body", L=L, H_body=self.H_body)
+        else:
+            yield Finding.about("limits.no_H_body", L=L)
+        yield Finding("limits.estimated")
 
 
 def unhindered(found: Feasibility) -> bool:

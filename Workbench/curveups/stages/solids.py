@@ -11,7 +11,6 @@ from typing import Any, ClassVar, Iterable, Mapping, Optional, Sequence
 from ..base.findings import Finding, all_of, failed
 from ..base.native import native
 from ..base.parameters import parameter
-from .joining import joints_of, not_joined
 from .stage import Inputs, Job, Result, Row, Stage
 
 PRINTERS = Path(__file__).parents[3] / "resources" / "printers"
@@ -35,9 +34,6 @@ class Bodies(Result):
 
     def reasons(self) -> Sequence[Finding]:
         return (self.failure,) if self.failure else ()
-
-    def warnings(self) -> Sequence[Finding]:
-        return self.warned
 
     def rows(self, seconds: float) -> Sequence[Row]:
         return (Row("solids", seconds),) if self.model else ()
@@ -114,12 +110,6 @@ class Check(Result):
         if not self.print_block:
             return {}
         return {"solids": dict(self.solids_block), "print": dict(self.print_block)}
-
-    def reasons(self) -> Sequence[Finding]:
-        return self.broken
-
-    def warnings(self) -> Sequence[Finding]:
-        return self.warned
 
     def rows(self, seconds: float) -> Sequence[Row]:
         return (Row("check", seconds),) if self.print_block else ()
@@ -252,3 +242,26 @@ def fits_turned(box: Sequence[float], printer: dict) -> bool:
 def fits(box: Sequence[float], bed: Sequence[float]) -> bool:
     """Whether a box fits as it stands. Both: x and y, or x, y and z, mm."""
     return all(side <= room for side, room in zip(box, bed))
+
+
+def joints_of(model: Any, parameters: Any) -> dict[str, Any]:
+    """The block of report.json: edges between pieces, holes, their sizes (mm) and the pairs of tiles (rows of
+    F) without room; empty with joint=none. model: native PrintModel."""
+    if parameters.get("joint") == "none":
+        return {}
+    joined, closed, holes = model.joints
+    return {"edges": len(joined) + len(closed), "holes": int(holes), "hole_mm": native.JOINT_HOLE,
+            "wall_mm": parameters.get("p_floor"), "without": [[int(a), int(b)] for a, b in closed]}
+
+
+def not_joined(joints: Mapping[str, Any], parameters: Any) -> Sequence[Finding]:
+    """Warnings: nothing to join, or edges without holes."""
+    if not joints:
+        return ()
+    if not joints["edges"]:
+        return (Finding("joint.none"),)
+    if not joints["without"]:
+        return ()
+    pairs = tuple((a, b) for a, b in joints["without"])
+    return (Finding.about("joint", (tile for pair in pairs for tile in pair), closed=len(pairs),
+                          edges=joints["edges"], pairs=pairs),)

@@ -17,10 +17,9 @@ from typing import Any, Callable, ClassVar, Mapping, Optional, Sequence, Union
 import numpy as np
 
 from ..base.errors import CurveUpsError, Stopped
-from ..base.findings import Finding
+from ..base.findings import Finding, Value
 from ..base.parameters import table
 from ..base.progress import Progress
-from ..base.value import Value
 
 
 @dataclass(frozen=True)
@@ -69,16 +68,16 @@ class Result(Value):
         return {}
 
     def reasons(self) -> Sequence[Finding]:
-        """Why the design is not valid, as far as this knows."""
-        return ()
+        """Why the design is not valid, as far as this knows: its field `broken`, where there is one."""
+        return tuple(getattr(self, "broken", ()))
 
     def advice(self) -> Sequence[Finding]:
         """What is to be said besides where the design does not hold."""
         return ()
 
     def warnings(self) -> Sequence[Finding]:
-        """What may go wrong with a design that is valid."""
-        return ()
+        """What may go wrong with a design that is valid: its field `warned`, where there is one."""
+        return tuple(getattr(self, "warned", ()))
 
     def pictures(self) -> Sequence[Picture]:
         """What the page shows of this."""

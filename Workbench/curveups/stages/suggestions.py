@@ -10,10 +10,8 @@ from typing import Any, Optional, Sequence
 import numpy as np
 
 from ..base.errors import Stopped
-from ..base.findings import Finding, all_of, failed
+from ..base.findings import Finding, Value, all_of, failed
 from ..base.native import native
-from ..base.value import Value
-from .advice import suggested
 from .stage import Inputs, Job, Picture, Result, Row, Stage
 
 # A layout is badly stretched where the conformal map scales its tiles this differently, or where
@@ -122,7 +120,8 @@ class Suggestions(Result):
         return blocks
 
     def advice(self) -> Sequence[Finding]:
-        return [suggested(cut.finding) for cut in self.proposed] or self.general
+        return [Finding("suggested", cut.finding.tiles, {"what_to_do": cut.finding})
+                for cut in self.proposed] or self.general
 
     def warnings(self) -> Sequence[Finding]:
         if self.failure:

@@ -35,7 +35,7 @@ class Target(Result):
     edge_cv: float
     chord_error: float
     notes: tuple[str, ...]
-    found: tuple[Finding, ...]       # warnings
+    warned: tuple[Finding, ...]
     own_length: Optional[float]      # L, where the mesh is taken as it is
     wall: Optional[float] = None     # how thick the part is drawn, mm
     # What the user gave, where it was mended before it was remeshed (V, F); what mending did to it; and by
@@ -60,9 +60,6 @@ class Target(Result):
     def report(self) -> dict[str, Any]:
         return {"target": {"mean_edge_mm": self.mean_edge, "edge_cv": self.edge_cv,
                            "sagitta_mm": self.chord_error, "notes": list(self.notes)}}
-
-    def warnings(self) -> Sequence[Finding]:
-        return self.found
 
     def rows(self, seconds: float) -> Sequence[Row]:
         return (Row("remesh", seconds),)
@@ -93,7 +90,8 @@ def _run(inputs: Inputs, job: Job) -> Target:
             raise
         raise _with_mending(error, V, F, L, source.will_be_cut, job) from error
     if not source.remesh:
-        lengths = _edge_lengths(V, F)
+        ends = V[mesh_edges(F)[0]]
+        lengths = np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1)
         return Target(V, F, V, F, float(lengths.mean()), float(lengths.std() / lengths.mean()), 0.0,
                       tuple(notes), found, L, surface.wall)
     creases = _creases(surface, V, F)
@@ -162,8 +160,3 @@ def _own_length(V: np.ndarray, F: np.ndarray, where: str) -> float:
             f"the mesh's mean edge length is {length:.4g} mm", where,
             f"tiles have {row.minimum:g} to {row.maximum:g} mm: set scale for another unit, or remesh")
     return length
-
-
-def _edge_lengths(V: np.ndarray, F: np.ndarray) -> np.ndarray:
-    pairs, _ = mesh_edges(F)
-    return np.linalg.norm(V[pairs[:, 0]] - V[pairs[:, 1]], axis=1)

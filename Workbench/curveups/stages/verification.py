@@ -61,9 +61,6 @@ class Verification(Result):
     def reasons(self) -> Sequence[Finding]:
         return (self.failure,) if self.failure else self.found
 
-    def warnings(self) -> Sequence[Finding]:
-        return self.warned
-
     def rows(self, seconds: float) -> Sequence[Row]:
         if not self.judged:
             return ()
@@ -110,8 +107,7 @@ def verification_of(found: Any, design: Any) -> Verification:
     """A native VerificationReport of a native Design."""
     names = ("contact_tiles", "contact_normal_min", "contact_normal_mean", "contact_friction_ratio",
              "tile_normal_force")
-    sides = tuple({name: np.asarray(getattr(side, name)) for name in SIDE_ARRAYS}
-                  for side in found.membranes)
+    sides = tuple({name: np.asarray(getattr(side, name)) for name in SIDE_ARRAYS} for side in found.membranes)
     return Verification(valid=found.valid, blocks=found.blocks, found=all_of(found.reasons),
                         warned=all_of(found.warnings), complete=found.complete, design=design,
                         arrays={name: np.asarray(getattr(found, name)) for name in names}, membranes=sides,
@@ -139,10 +135,6 @@ class LayoutVerification(Result):
         return self.verification.rows(seconds)
 
 
-def _verify_layout(inputs: Inputs, job: Job) -> LayoutVerification:
-    return LayoutVerification(_verify(inputs["layout"].design, inputs, job, weak_is_enough=True))
-
-
 def _verify_design(inputs: Inputs, job: Job) -> Verification:
     finished = inputs["design"]
     return finished.verification or _verify(finished.design, inputs, job)
@@ -158,7 +150,9 @@ def _stopped(stage: str, inputs: Inputs) -> Verification:
 
 
 PARTS = frozenset({"tiles", "bodies", "physics"})
-OF_LAYOUT = Stage("verification of the layout", ("layout",), PARTS, _verify_layout,
+OF_LAYOUT = Stage("verification of the layout", ("layout",), PARTS,
+                  lambda inputs, job: LayoutVerification(
+                      _verify(inputs["layout"].design, inputs, job, weak_is_enough=True)),
                   lambda error, inputs: LayoutVerification(_failed(error, inputs)),
                   lambda stage, inputs: LayoutVerification(_stopped(stage, inputs)),
                   label="Verification of the layout", asked_by=("solve",), shown=True)

@@ -60,7 +60,7 @@ def choose(shape: Any, choice: Choice, where: str) -> Chosen:
 
 
 def _add(chosen: Chosen, body: Any, choice: Choice, shape: Any, where: str) -> None:
-    closed = _is_closed(body)
+    closed = bool(body.ShapeType == "Solid" or body.ShapeType == "Shell" and body.isClosed())
     wall = find_wall(body) if closed else None
     if wall is None:
         faces = list(body.Faces)
@@ -157,10 +157,6 @@ def _free_edges(shape: Any) -> int:
     return sum(1 for count in seen.values() if count == 1)
 
 
-def _is_closed(body: Any) -> bool:
-    return bool(body.ShapeType == "Solid" or body.ShapeType == "Shell" and body.isClosed())
-
-
 def _described(body: Any) -> str:
     box = body.BoundBox
     return (f"a {body.ShapeType.lower()} of {len(body.Faces)} faces, {box.XLength:.4g} x {box.YLength:.4g} x "
@@ -200,13 +196,10 @@ def _without_largest(faces: Sequence[Any], opening: str, shape: Any, notes: list
         return list(faces)
     most = max(face.Area for face in planar)
     left = min((face for face in planar if face.Area > 0.999 * most), key=lambda face: face.CenterOfMass.z)
-    notes.append(f"the part is closed: its largest planar face ({_name(left, shape)}, {left.Area:.4g} mm2) "
+    name = next((f"Face{k}" for k, other in enumerate(shape.Faces, 1) if left.isSame(other)), "a face")
+    notes.append(f"the part is closed: its largest planar face ({name}, {left.Area:.4g} mm2) "
                  "is left open")
     return [face for face in faces if not face.isSame(left)]
-
-
-def _name(face: Any, shape: Any) -> str:
-    return next((f"Face{k}" for k, other in enumerate(shape.Faces, 1) if face.isSame(other)), "a face")
 
 
 def _lies_in(face: Any, axis: str, number: float, tolerance: float) -> bool:

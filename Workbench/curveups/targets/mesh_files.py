@@ -1,20 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""OBJ, OFF, STL and 3MF meshes as arrays, in the file's own precision and with its vertex numbers: cuts name
-vertices by number. FreeCAD's Mesh has single precision, drops unused vertices and skips lines in silence."""
+"""OBJ, OFF, STL, 3MF and PLY meshes as arrays, in the file's own precision and with its vertex numbers:
+cuts name vertices by number. FreeCAD's Mesh has single precision, drops unused vertices and skips lines."""
 
 from __future__ import annotations
 
 import functools
 import re
+import struct
 import xml.etree.ElementTree as ElementTree
 import zipfile
 from pathlib import Path
-from typing import Iterator, Sequence
+from typing import Any, Callable, Iterator, NamedTuple, Sequence
 
 import numpy as np
 
 from ..base.errors import CurveUpsError
-from .polygons import triangles_of
+from ..base.native import native
 
 Mesh = tuple[np.ndarray, np.ndarray]  # V (N x 3) and F (M x 3)
 
@@ -173,3 +174,113 @@ def _transform(element: ElementTree.Element) -> np.ndarray:
     """3MF's row-vector transform as a 4 x 3 matrix."""
     text = element.get("transform", "1 0 0 0 1 0 0 0 1 0 0 0")
     return np.array([float(word) for word in text.split()]).reshape(4, 3)
+
+
+def triangles_of(V: np.ndarray, polygons: Sequence[Sequence[int]]) -> np.ndarray:
+    """M x 3: fans of the convex polygons; the others divided in their plane, where a fan would reach
+    outside. Polygons that cross themselves there become fans: what is wrong with them is checked later.
+    Corners are rows of V (N x 3), three or more of each polygon, which keep their order."""
+    if all(len(polygon) == 3 for polygon in polygons):
+        return np.array(polygons, np.int32).reshape(-1, 3)
+    concave = _concave(V, polygons)
+    triangles: list[tuple[int, int, int]] = []
+    for number, corners in enumerate(polygons):
+        divided = native.triangulate_polygon(V[list(corners)]) if number in concave else []
+        triangles.extend((corners[a], corners[b], corners[c]) for a, b, c in divided)
+        if not divided:
+            triangles.extend((corners[0], corners[i], corners[i + 1]) for i in range(1, len(corners) - 1))
+    return np.array(triangles, np.int32).reshape(-1, 3)
+
+
+@np.errstate(over="ignore", invalid="ignore")  # what overflows is too large for a target
+def _concave(V: np.ndarray, polygons: Sequence[Sequence[int]]) -> set[int]:
+    """Numbers of the polygons that turn against their normal somewhere."""
+    sizes = np.array([len(polygon) for polygon in polygons])
+    found: set[int] = set()
+    for size in np.unique(sizes[sizes > 3]):
+        numbers = np.nonzero(sizes == size)[0]
+        corners = V[np.array([polygons[number] for number in numbers])]
+        sides = np.roll(corners, -1, axis=1) - corners
+        # Newell's normal, and the turn at every corner.
+        normal = np.cross(corners - corners[:, :1], sides).sum(axis=1)
+        turns = np.einsum("pcx,px->pc", np.cross(sides, np.roll(sides, -1, axis=1)), normal)
+        least = -1e-9 * np.einsum("px,px->p", normal, normal)
+        found.update(numbers[(turns < least[:, None]).any(axis=1)].tolist())
+    return found
+
+
+# Letters of the module struct.
+_TYPES = {"char": "b", "uchar": "B", "short": "h", "ushort": "H", "int": "i", "uint": "I", "float": "f",
+          "double": "d", "int8": "b", "uint8": "B", "int16": "h", "uint16": "H", "int32": "i", "uint32": "I",
+          "float32": "f", "float64": "d"}
+_ORDERS = {"ascii": "", "binary_little_endian": "<", "binary_big_endian": ">"}
+_Take = Callable[[str, int], Any]  # so many numbers of this type, from where the last ended
+
+
+class _Element(NamedTuple):
+    """`properties`: name, type, and the type of the count before a list, or ''."""
+
+    name: str
+    rows: int
+    properties: list[tuple[str, str, str]]
+
+
+def read_ply(path: Path) -> Mesh:
+    """Vertices and faces of a PLY file; other elements are passed over."""
+    try:
+        data = path.read_bytes()
+        order, elements, start = _header(data)
+        take = _binary(data, start, order) if order else _text(data[start:])
+        rows = {element.name: _rows(element, take) for element in elements}
+        V = np.array([[row[axis][0] for axis in "xyz"] for row in rows["vertex"]], float)
+        polygons = [list(map(int, row.get("vertex_indices", row.get("vertex_index"))))
+                    for row in rows["face"]]
+    except (ValueError, LookupError, TypeError, struct.error) as error:
+        raise CurveUpsError(f"this is no readable PLY file, or it ends early: {error}", str(path),
+                            "export the file again") from None
+    return mesh_of(V, polygons, path)
+
+
+def _header(data: bytes) -> tuple[str, list[_Element], int]:
+    """Order of bytes ('' for text), elements, and where the header ends."""
+    end = data.index(b"end_header")
+    order, elements = "", list[_Element]()
+    for line in data[:end].decode("ascii", "replace").splitlines():
+        words = line.split()
+        if words[:1] == ["format"]:
+            order = _ORDERS[words[1]]
+        elif words[:1] == ["element"]:
+            elements.append(_Element(words[1], int(words[2]), []))
+        elif words[:2] == ["property", "list"]:
+            elements[-1].properties.append((words[4], _TYPES[words[3]], _TYPES[words[2]]))
+        elif words[:1] == ["property"]:
+            elements[-1].properties.append((words[2], _TYPES[words[1]], ""))
+    return order, elements, data.index(b"\n", end) + 1
+
+
+def _text(text: bytes) -> _Take:
+    words = iter(text.split())
+
+    def take(kind: str, count: int) -> Any:
+        numbers = [(float if kind in "fd" else int)(word) for _, word in zip(range(count), words)]
+        if len(numbers) < count:
+            raise ValueError(f"{count - len(numbers)} numbers are missing")
+        return numbers
+
+    return take
+
+
+def _binary(data: bytes, at: int, order: str) -> _Take:
+    def take(kind: str, count: int) -> Any:
+        nonlocal at
+        numbers = struct.unpack_from(f"{order}{count}{kind}", data, at)
+        at += struct.calcsize(f"{order}{count}{kind}")
+        return numbers
+
+    return take
+
+
+def _rows(element: _Element, take: _Take) -> list[dict[str, Any]]:
+    """Numbers of each row by property."""
+    return [{name: take(kind, take(count, 1)[0] if count else 1) for name, kind, count in element.properties}
+            for _ in range(element.rows)]

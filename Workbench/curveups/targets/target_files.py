@@ -11,8 +11,7 @@ import numpy as np
 from ..base.errors import CurveUpsError
 from .cad_files import ENDINGS, GoOn, Read, read_cad
 from .cad_parts import Choice
-from .mesh_files import Mesh, read_3mf, read_obj, read_off, read_stl
-from .ply_file import read_ply
+from .mesh_files import Mesh, read_3mf, read_obj, read_off, read_ply, read_stl
 
 _MESHES: dict[str, Callable[[Path], Mesh]] = {".obj": read_obj, ".off": read_off, ".3mf": read_3mf,
                                               ".stl": read_stl, ".ply": read_ply}
@@ -50,5 +49,4 @@ def require_readable(path: Path) -> None:
     if not path.is_file():
         raise CurveUpsError("the target is no file", str(path), f"give {FORMATS} file")
     if path.suffix.lower() not in (*_MESHES, *ENDINGS):
-        raise CurveUpsError(f"unknown format '{path.suffix or path.name}'", str(path),
-                            f"give {FORMATS} file")
+        raise CurveUpsError(f"unknown format '{path.suffix or path.name}'", str(path), f"give {FORMATS} file")

@@ -20,8 +20,8 @@ from ..base.errors import CurveUpsError, Stopped, tile_name
 from ..base.findings import Finding, Style
 from ..base.sentences import CONTEXT
 from ..features.properties import named
+from .overlays import select_tiles
 from .qt import RESOURCES, QtCore, QtGui, QtWidgets, ink_and_paper, translate
-from .selection import select_tiles
 from .units import quantity
 
 _panel: Optional[Callable[[str], None]] = None  # shows a line of rich text
@@ -113,12 +113,8 @@ def _link(tile: int) -> str:
     return link(tile_name(tile), tile_name(tile))
 
 
-def _words(text: str) -> str:
-    return named(words_of(text))
-
-
-_PLAIN = Style(_words, quantity=quantity)
-_RICH = Style(_words, _link, lambda text: escape(text, quote=False), quantity)
+_PLAIN = Style(lambda text: named(words_of(text)), quantity=quantity)
+_RICH = Style(_PLAIN.words, _link, lambda text: escape(text, quote=False), quantity)
 
 
 def shown(found: Finding, rich: bool = True) -> str:

@@ -87,13 +87,9 @@ def freecad_field(kind: str) -> Any:
     while True:
         field = FreeCADGui.UiLoader().createWidget(kind)
         try:
-            field.valueChanged.connect(_nothing)
+            field.valueChanged.connect(lambda *_: None)
             return field
         except RuntimeError:
             if len(taken) == 9:
                 raise
             taken.append(field)
-
-
-def _nothing(*_: Any) -> None:
-    pass

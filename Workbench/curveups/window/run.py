@@ -103,7 +103,15 @@ class Live:
         WORKER.cancel()
         WORKER.poll()
 
-    def abandon(self, document: str, name: str = "") -> None:
+    def slotDeletedDocument(self, document: Any) -> None:
+        """Of FreeCAD's document observer."""
+        self._abandon(document.Name)
+
+    def slotDeletedObject(self, obj: Any) -> None:
+        """Of FreeCAD's document observer."""
+        self._abandon(obj.Document.Name, obj.Name)
+
+    def _abandon(self, document: str, name: str = "") -> None:
         """The design, or its document, is going away: nothing of it is touched any more."""
         if self.busy and self._place[0] == document and name in ("", self._place[1]):
             self._place = ("", "")
@@ -122,7 +130,7 @@ class Live:
             return
         self._timer = QtCore.QTimer()
         self._timer.timeout.connect(lambda: self._look())
-        FreeCAD.addDocumentObserver(_Watcher(self))
+        FreeCAD.addDocumentObserver(self)
         QtWidgets.QApplication.instance().aboutToQuit.connect(lambda: self.quit())
 
     def _look(self) -> None:
@@ -175,8 +183,7 @@ class Live:
         if outcome.error is not None:
             show_error(outcome.error, task.title)
         else:
-            show_line(translate("CurveUps", "{task} was cancelled: the design is as it was",
-                                task=task.title))
+            show_line(translate("CurveUps", "{task} was cancelled: the design is as it was", task=task.title))
         overlay_of(design).show_design()
 
     def _show(self, task: Task) -> None:
@@ -213,19 +220,6 @@ class Live:
             FreeCADGui.getMainWindow().statusBar().showMessage(f"CurveUps: {status.what}")
         for observer in list(self._observers):
             observer(status, goes_on)
-
-
-class _Watcher:
-    """FreeCAD's document observer."""
-
-    def __init__(self, live: Live):
-        self._live = live
-
-    def slotDeletedDocument(self, document: Any) -> None:
-        self._live.abandon(document.Name)
-
-    def slotDeletedObject(self, obj: Any) -> None:
-        self._live.abandon(obj.Document.Name, obj.Name)
 
 
 LIVE = Live()

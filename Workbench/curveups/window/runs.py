@@ -4,19 +4,42 @@ tiles that Cuts needs."""
 
 from __future__ import annotations
 
-from contextlib import suppress
 from functools import partial
 from typing import Any, Callable, Optional
 
+import FreeCAD
+import FreeCADGui
+
 from ..base.errors import CurveUpsError
-from ..base.native import native, problem
+from ..base.native import problem
 from ..features import actions
 from ..features.document import has_layout
-from ..stages.stage import Job
-from .macro import call, named
-from .overlay.fields import measured
 from .qt import translate
 from .run import LIVE, Task
+
+
+def call(function: str, *arguments: str) -> None:
+    """Calls a function of curveups.features with arguments as Python text, and records it: the line in the
+    macro does the same in a FreeCAD without a window. function: "document.new_design", say. Raises what
+    the function raises."""
+    FreeCADGui.doCommand(f"from curveups.features import {function.split('.')[0]}")
+    FreeCADGui.doCommand(f"{function}({', '.join(arguments)})")
+
+
+def assign(obj: Any, name: str, value: Any) -> None:
+    """Sets a property of an object, and records it; numbers are in FreeCAD's own units."""
+    FreeCADGui.doCommand(f"{named(obj)}.{name} = {value!r}")
+
+
+def new_document(name: str, label: str) -> Any:
+    """A new document, which becomes the active one; the macro makes it too."""
+    FreeCADGui.doCommand(f"FreeCAD.newDocument({name!r}, {label!r})")
+    return FreeCAD.ActiveDocument
+
+
+def named(obj: Any) -> str:
+    """A document object as Python text."""
+    return f"FreeCAD.getDocument({obj.Document.Name!r}).getObject({obj.Name!r})"
 
 
 def reason(which: str, design: Any) -> str:
@@ -38,9 +61,10 @@ def start(which: str, design: Any, told: Optional[Callable[[], None]] = None) ->
     wrong = reason(which, design)
     if wrong:
         raise CurveUpsError(wrong)
-    title = translate("CurveUps_" + _camel(which), actions.RUNS[which].title)
+    command = "".join(word.capitalize() for word in which.split("_"))
+    title = translate(f"CurveUps_{command}", actions.RUNS[which].title)
     project, work = actions.prepare(which, design)
-    LIVE.start(design, Task(title, _measuring(work), partial(finish, which), project, told, _recompute))
+    LIVE.start(design, Task(title, work, partial(finish, which), project, told, _recompute))
 
 
 def finish(which: str, design: Any, made: Any, *arguments: str) -> None:
@@ -50,23 +74,7 @@ def finish(which: str, design: Any, made: Any, *arguments: str) -> None:
     call(f"actions.{which}", named(design), *arguments)
 
 
-def _measuring(work: actions.Work) -> actions.Work:
-    """Work that measures the design it has made, for its picture."""
-    def run(job: Job) -> actions.Ran:
-        ran = work(job)
-        if "design" in ran.results:
-            with suppress(native.Error):  # whoever draws it says so
-                measured(ran.results.design.with_parameters(ran.results.parameters))
-        return ran
-
-    return run
-
-
 def _recompute(design: Any) -> None:
     with design.Proxy.many_changes():
         design.Document.recompute()
     design.Proxy.refresh(design)
-
-
-def _camel(which: str) -> str:
-    return "".join(word.capitalize() for word in which.split("_"))

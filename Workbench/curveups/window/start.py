@@ -14,6 +14,6 @@ def install() -> None:
 
 
 def _attach(obj: Any) -> None:
-    from .viewproviders.attaching import attach
+    from .viewproviders.design import attach
 
     attach(obj)

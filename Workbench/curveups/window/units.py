@@ -4,12 +4,10 @@
 from __future__ import annotations
 
 import math
-import re
-from typing import Any, Sequence
+from typing import Any, Callable
 
 import FreeCAD
 
-_NUMBER = r"\d+(?:\.\d+)?(?:e[-+]?\d+)?"
 _FREECADS = {"mm": "mm", "mm2": "mm^2", "mm3": "mm^3", "N": "N", "MPa": "MPa"}
 _MOST_DECIMALS = 9
 
@@ -68,15 +66,11 @@ def quantity(number: float, how: str, unit: str) -> str:
     return text_of(number, _FREECADS[unit], number)
 
 
-def row_in_user_units(row: Sequence[str]) -> tuple[str, ...]:
-    """A row of a table whose head names the unit of its numbers."""
-    head, *cells = row
-    unit = re.search(rf"\b({'|'.join(_FREECADS)})\b", head)
-    if unit is None:
-        return tuple(row)
-    factor, name = user_unit(_FREECADS[unit[1]], 1.0)
+def in_user_units(heading: str) -> tuple[str, Callable[[float, str], str]]:
+    """A heading that ends in the unit of its numbers ("pin area, mm2") with the user's unit, and what writes
+    a number: as Python does where the unit stays."""
+    what, _, unit = heading.rpartition(", ")
+    factor, name = user_unit(_FREECADS[unit], 1.0) if unit in _FREECADS else (1.0, unit)
     if factor == 1.0:
-        return tuple(row)
-    return (head[:unit.start()] + name + head[unit.end():],
-            *(re.sub(rf"(?<![\w.])-?{_NUMBER}", lambda match: short(float(match[0]) * factor), cell)
-              for cell in cells))
+        return heading, format
+    return f"{what}, {name}", lambda number, how: short(number * factor)

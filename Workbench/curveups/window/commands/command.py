@@ -4,15 +4,13 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from typing import Any, Sequence
+from typing import Any, Callable, Sequence
 
 import FreeCADGui
 
-from .. import runs
 from ..notice import errors_shown
-from ..panels.panel import Panel, obstacle, show
+from ..overlays import chosen_design, no_design
 from ..qt import translate
-from ..selection import chosen_design, no_design
 
 
 class Command(ABC):
@@ -68,29 +66,22 @@ class Command(ABC):
             action.setStatusTip(reason or tip)
 
 
+Work = Callable[[Any], object]   # on a Design object
+Reason = Callable[[Any], str]    # why nothing can be done with a Design object; empty where it can
+
+
 class DesignCommand(Command):
-    """One that works on a design: that of the selection, or the document's only one."""
+    """Works on a design: that of the selection, or the document's only one. reasons: asked in their order."""
+
+    def __init__(self, name: str, text: str, tooltip: str, work: Work, *reasons: Reason, shortcut: str = ""):
+        self.name, self.text, self.tooltip, self.shortcut = name, text, tooltip, shortcut
+        self._work, self._reasons = work, reasons
 
     def reason(self) -> str:
-        return "" if chosen_design() else no_design()
+        design = chosen_design()
+        if design is None:
+            return no_design()
+        return next(filter(None, (reason(design) for reason in self._reasons)), "")
 
     def run(self) -> None:
-        self.work(chosen_design())
-
-    @abstractmethod
-    def work(self, design: Any) -> None:
-        """The work on a Design object."""
-
-
-class PanelCommand(DesignCommand):
-    """One that opens a panel. `which`: the run (runs.reason) that the panel is for, if it is for one."""
-
-    panel: type[Panel]
-    which = ""
-
-    def reason(self) -> str:
-        found = super().reason() or obstacle()
-        return found or (runs.reason(self.which, chosen_design()) if self.which else "")
-
-    def work(self, design: Any) -> None:
-        show(self.panel, design)
+        self._work(chosen_design())

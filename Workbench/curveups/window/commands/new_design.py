@@ -1,19 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""New Design: makes a design of the selected surface or of a file."""
+"""Commands that make a design: of the selected surface or a file, or of a built-in target."""
 
 from __future__ import annotations
 
-from typing import Any, Optional
+from typing import Any, Optional, Sequence
 
 import FreeCAD
 import FreeCADGui
 
-from ...base.native import problem
-from ..macro import assign, call, named, new_document
+from ...base.native import native, problem
+from ..notice import errors_shown
+from ..panels.panel import show
 from ..panels.preferences import remembered
+from ..panels.solve import SolvePanel
 from ..qt import QT_TRANSLATE_NOOP, QtWidgets, translate
+from ..run import LIVE
+from ..runs import assign, call, named, new_document
 from .command import Command
 
+SURFACE = "Surface of the design"
 _FORMATS = "*.stl *.obj *.ply *.off *.3mf *.step *.stp *.iges *.igs *.brep *.brp"
 
 
@@ -35,7 +40,7 @@ class NewDesign(Command):
         if source is not None:
             make_design(source.Document, named(source), selected_faces(source))
             return
-        path = ask_for_file(translate(self.name, "Surface of the design"))
+        path = ask_for_file(SURFACE)
         if path:
             make_design(FreeCAD.ActiveDocument or new_document("Unnamed", "Unnamed"), repr(path))
 
@@ -94,4 +99,61 @@ def ask_for_file(title: str) -> str:
     return str(path)
 
 
-COMMAND = NewDesign()
+class Examples(Command):
+    """CurveUps_Examples: a menu of all."""
+
+    name = "CurveUps_Examples"
+    text = QT_TRANSLATE_NOOP("CurveUps_Examples", "Examples")
+    QT_TRANSLATE_NOOP("PythonGroupCommand", "Examples")  # where FreeCAD looks when the language changes
+    tooltip = QT_TRANSLATE_NOOP("CurveUps_Examples",
+                                "Open a new document with a built-in target, and watch its design being "
+                                "solved")
+
+    def __init__(self) -> None:
+        targets = [] if problem() else native.builtin_targets()
+        self._examples = [_Example(name, meaning) for name, meaning in targets]
+
+    def reason(self) -> str:
+        return _reason()
+
+    def menu(self) -> Sequence[Command]:
+        return self._examples
+
+    def GetCommands(self) -> tuple[str, ...]:
+        return tuple(command.name for command in self._examples)
+
+    def GetDefaultCommand(self) -> int:
+        return 0
+
+    def Activated(self, index: int = 0) -> None:
+        self._examples[index].Activated()  # FreeCAD tells the group, not what was chosen of it
+
+    def run(self) -> None:
+        self._examples[0].run()
+
+
+class _Example(Command):
+    """One built-in target."""
+
+    def __init__(self, target: str, meaning: str):
+        self._target = target
+        self.name = f"CurveUps_Example_{target}"
+        self.text = target.replace("-", " ").title().replace(" ", "-")
+        self.tooltip = f"{self.text}: {meaning}"
+
+    def GetResources(self) -> dict[str, Any]:
+        return {**super().GetResources(), "Pixmap": "CurveUps_Examples"}
+
+    def reason(self) -> str:
+        return _reason()
+
+    def run(self) -> None:
+        document = new_document(self._target.replace("-", "_"), self.text)
+        design = make_design(document, repr(self._target))
+        FreeCADGui.getDocument(document.Name).ActiveView.viewIsometric()
+        with errors_shown(self.text):
+            show(SolvePanel, design).run("solve")
+
+
+def _reason() -> str:
+    return LIVE.obstacle() or str(problem() or "")

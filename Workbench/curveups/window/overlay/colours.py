@@ -49,5 +49,4 @@ def shares(values: np.ndarray, low: float, high: float) -> np.ndarray:
 def packed(rgb: np.ndarray, alpha: float = 1.0) -> np.ndarray:
     """... colours (0 to 1, ... x 3) as Coin packs them: 0xRRGGBBAA."""
     bytes_ = np.rint(np.clip(rgb, 0, 1) * 255).astype(np.uint32)
-    return (bytes_[..., 0] << 24 | bytes_[..., 1] << 16 | bytes_[..., 2] << 8
-            | np.uint32(round(255 * alpha)))
+    return (bytes_[..., 0] << 24 | bytes_[..., 1] << 16 | bytes_[..., 2] << 8 | np.uint32(round(255 * alpha)))

@@ -15,11 +15,9 @@ import numpy as np
 
 from ...base.native import native
 from ...stages.actuation import states
-from ...stages.design import design_digest
 from ...stages.feasibility import SAG
 
 TILE, SIDE, CONTACT, MEMBRANE = "tile", "side", "contact", "membrane"
-_MEASURED: dict[tuple[str, str], Any] = {}  # of the latest design
 
 
 @dataclass(frozen=True)
@@ -134,20 +132,9 @@ def check_fields(found: Any, parameters: Any, contacts: np.ndarray) -> list[Fiel
               problem="tiles that can't be made or are likely to fail", shape=(count,))]
 
 
-def measured(design: Any) -> Any:
-    """Gaps and pins of a native Design, for any thread: a run's own measures what the window then draws."""
-    key = design_digest(design), repr(design.parameters.to_dict())
-    found = _MEASURED.get(key)
-    if found is None:
-        found = native.evaluate_design(design)
-        _MEASURED.clear()
-        _MEASURED[key] = found
-    return found
-
-
 def design_fields(design: Any, contacts: np.ndarray) -> list[Field]:
     """Of a layout without its membranes."""
-    found = cache(lambda: measured(design))
+    found = cache(lambda: native.evaluate_design(design))
     get = design.parameters.get
     return [
         Field("Gap", "mm", CONTACT, lambda: _by_contact(found(), "gap", contacts), "low", get("d_gap_min"),

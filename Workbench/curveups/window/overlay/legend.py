@@ -16,7 +16,7 @@ from pivy import coin
 from ..qt import ink_and_paper
 from ..units import short, user_unit
 from . import colours
-from .nodes import Markers, fill, unlit, unpickable
+from .nodes import Markers, add, fill, unlit, unpickable
 
 LEFT, WIDTH, HEIGHT = 30, 16, 230   # of the bar, px
 BEYOND = 0.12                       # share of the bar that lies beyond either end of the range
@@ -64,9 +64,8 @@ class Legend:
         self._body = coin.SoSeparator()
         before, drawn = coin.SoCallback(), coin.SoAnnotation()
         before.setCallback(self._fit)
-        for part in (unpickable(), coin.SoResetTransform(), before, self._camera, unlit(), self._place,
-                     self._body):
-            drawn.addChild(part)
+        add(drawn, unpickable(), coin.SoResetTransform(), before, self._camera, unlit(), self._place,
+            self._body)
         # Not part of the scene's extent: or "fit all" and clipping planes would count pixels as mm.
         self._only_drawn = coin.SoSwitch()
         self._only_drawn.addChild(drawn)
@@ -74,8 +73,7 @@ class Legend:
         guard.setCallback(self._guard)
         group = coin.SoSeparator()
         group.renderCaching = group.boundingBoxCaching = coin.SoSeparator.OFF
-        group.addChild(guard)
-        group.addChild(self._only_drawn)
+        add(group, guard, self._only_drawn)
         self.node.addChild(group)
 
     def _guard(self, data: Any, action: Any) -> None:
@@ -167,8 +165,7 @@ class Legend:
         base.rgb = tuple(colour)
         shift.translation = (*place, 0.2)
         text.string = line
-        for part in (base, shift, text):
-            group.addChild(part)
+        add(group, base, shift, text)
         self._body.addChild(group)
 
 
@@ -209,8 +206,7 @@ def _letter(size: float) -> float:
         scene, camera, font, text = (coin.SoSeparator(), coin.SoOrthographicCamera(), coin.SoFont(),
                                      coin.SoText2())
         camera.height, font.size, text.string = _VIEW, size, "0" * letters
-        for part in (camera, font, text):
-            scene.addChild(part)
+        add(scene, camera, font, text)
         scene.ref()
         action = coin.SoGetBoundingBoxAction(coin.SbViewportRegion(_VIEW, _VIEW))
         action.apply(scene)
@@ -226,6 +222,5 @@ def _polygon(corners: Sequence[tuple], colour: Sequence[float], transparency: fl
     material.diffuseColor, material.transparency = tuple(float(x) for x in colour), transparency
     fill(points.point, np.array([(*corner, 0.0 if transparency else 0.1) for corner in corners]))
     face.numVertices = len(corners)
-    for part in (material, points, face):
-        group.addChild(part)
+    add(group, material, points, face)
     return group

@@ -29,6 +29,12 @@ def fill(field: Any, values: np.ndarray) -> None:
         field.setValues(0, count, values)
 
 
+def add(group: Any, *parts: Any) -> None:
+    """Nodes to a group, in their order."""
+    for part in parts:
+        group.addChild(part)
+
+
 class Prisms:
     """Prisms with one colour for each of their slots, and their rims as lines."""
 
@@ -50,20 +56,16 @@ class Prisms:
         behind.factor = behind.units = 1.0
         faces, lines = coin.SoSeparator(), coin.SoSeparator()
         faces.renderCaching = lines.renderCaching = coin.SoSeparator.ON
-        for part in (hints, colours, self._points, self._normals, normals, materials, behind, self._faces):
-            faces.addChild(part)
+        add(faces, hints, colours, self._points, self._normals, normals, materials, behind, self._faces)
         self._rims = coin.SoLevelOfDetail()
-        for part in (_flat_colour((0.15, 0.15, 0.15)), unpickable(), self._corners, self._lines):
-            lines.addChild(part)
-        self._rims.addChild(lines)
-        self._rims.addChild(coin.SoInfo())
+        add(lines, _flat_colour((0.15, 0.15, 0.15)), unpickable(), self._corners, self._lines)
+        add(self._rims, lines, coin.SoInfo())
         # FreeCAD's actions of selection enter groups. They lack what a level of detail asks of an action,
         # which ends FreeCAD 1.1. They pass kits by.
         kit, contents = coin.SoWrapperKit(), coin.SoSeparator()
         contents.addChild(self._rims)
         kit.setPart("contents", contents)
-        self.node.addChild(faces)
-        self.node.addChild(kit)
+        add(self.node, faces, kit)
 
     def set_corners(self, corners: np.ndarray) -> None:
         """M x 6 x 3, mm."""
@@ -101,8 +103,7 @@ class Outlines:
         self._colour, style = coin.SoBaseColor(), coin.SoDrawStyle()
         style.lineWidth = width
         self._points, self._lines = coin.SoCoordinate3(), coin.SoIndexedLineSet()
-        for part in (unpickable(), unlit(), self._colour, style, self._points, self._lines):
-            self.node.addChild(part)
+        add(self.node, unpickable(), unlit(), self._colour, style, self._points, self._lines)
 
     def set_corners(self, corners: np.ndarray, colour: tuple[float, ...]) -> None:
         """M x 6 x 3, mm; none to show nothing."""
@@ -127,9 +128,8 @@ class Markers:
         mark.markerIndex = getattr(coin.SoMarkerSet, self.SHAPES[shape])
         depth = coin.SoDepthBuffer()
         depth.write = False  # otherwise the disc hides its mark, which is no nearer
-        for part in (unpickable(), depth, self._points, _flat_colour((1, 1, 1)), disc, _flat_colour(colour),
-                     mark):
-            self.node.addChild(part)
+        add(self.node, unpickable(), depth, self._points, _flat_colour((1, 1, 1)), disc,
+            _flat_colour(colour), mark)
 
     def set_points(self, points: np.ndarray) -> None:
         """K x 3, mm."""
@@ -150,8 +150,7 @@ class Sheet:
         hints, materials = coin.SoShapeHints(), coin.SoMaterialBinding()
         hints.vertexOrdering, hints.faceType = coin.SoShapeHints.COUNTERCLOCKWISE, coin.SoShapeHints.CONVEX
         materials.value = coin.SoMaterialBinding.PER_FACE
-        for part in (hints, unpickable(), colours, materials, self._points, self._faces):
-            self.node.addChild(part)
+        add(self.node, hints, unpickable(), colours, materials, self._points, self._faces)
 
     def set_shape(self, points: np.ndarray, triangles: np.ndarray) -> None:
         """P x 3 points (mm) and K x 3 numbers of them."""
@@ -170,8 +169,7 @@ def _flat_colour(colour: tuple[float, float, float]) -> Any:
     base.rgb = colour
     binding = coin.SoMaterialBinding()
     binding.value = coin.SoMaterialBinding.OVERALL
-    for part in (unlit(), base, binding):
-        group.addChild(part)
+    add(group, unlit(), base, binding)
     return group
 
 

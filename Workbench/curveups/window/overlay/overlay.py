@@ -21,7 +21,7 @@ from ..overlays import overlays
 from ..qt import QtCore, translate
 from ..run import LIVE, Task
 from ..units import short, user_unit
-from . import cameras, colours, origin
+from . import cameras, colours, picture
 from .fields import MEMBRANE, Field
 from .legend import Content, Legend, arrange
 from .picture import Picture
@@ -50,7 +50,7 @@ class Overlay:
         self.note = ""                      # why it can't be drawn as the design is now
         self.selected: list[int] = []       # tiles
         self._hovered: list[int] = []
-        self._shown: Optional[origin.State] = None  # what the scene was made from
+        self._shown: Optional[picture.State] = None  # what the scene was made from
         self._iterating = False
         self._aged: list[str] = []          # what the legend says of that
         self._waiting = False
@@ -92,7 +92,7 @@ class Overlay:
             project = project_of(self.object)
             if project.latest("design") is not None and not self.shows_target:
                 project = design_project_of(self.object)
-            shown = origin.State(project, self.shows_target)
+            shown = picture.State(project, self.shows_target)
             if shown.same(self._shown) and not self.note:
                 if self._ages() != self._aged:
                     self._colour()
@@ -208,7 +208,7 @@ class Overlay:
     def age(self, one: Optional[Field]) -> str:
         """Says that what a field shows, or without one the tiles, is not of the design as it stands; empty
         where it is."""
-        return "" if self._iterating else origin.age(self.object, one, self.scene)
+        return "" if self._iterating else picture.age(self.object, one, self.scene)
 
     def _ages(self) -> list[str]:
         """Of all that may be shown."""
@@ -248,8 +248,7 @@ class Overlay:
         self._view.Morph = min(1.0, max(0.0, float(t)))
         if self.scene is not None and self.scene.motion is not None:
             step = self.scene.motion.middle(self._picture.t) - self.scene.motion.middle(before)
-            cameras.shift(self.object.Document.Name,
-                          self.placement().Rotation.multVec(FreeCAD.Vector(*step)))
+            cameras.shift(self.object.Document.Name, self.placement().Rotation.multVec(FreeCAD.Vector(*step)))
 
     def select_tiles(self, tiles: Iterable[int]) -> None:
         """Selects tiles by number (0 is T00001) in FreeCAD, and no others of the design."""
@@ -275,7 +274,7 @@ class Overlay:
         self.selected = [tile for tile in tiles if tile < count]
         self._hovered = [tile for tile in hovered if tile < count]
         if changed:
-            self._colour_tiles()
+            self._colour_figures()
             self._tell()
         self._outline()
 
@@ -309,8 +308,7 @@ class Overlay:
         if scene is None:
             self._show_legend(None)
             return
-        self._colour_tiles()  # first: faces would point beyond the colours
-        self._colour_sheets()
+        self._colour_figures()  # first: faces would point beyond the colours
         self._draw()
         self.explain()
 
@@ -324,8 +322,7 @@ class Overlay:
         self._tell()
 
     def _colour(self) -> None:
-        self._colour_tiles()
-        self._colour_sheets()
+        self._colour_figures()
         self._mark()
         self.explain()
 
@@ -335,16 +332,12 @@ class Overlay:
             return name
         return colours.SIGNED if one is not None and one.signed else colours.NAMES[0]
 
-    def _colour_tiles(self) -> None:
+    def _colour_figures(self) -> None:
         scene, one = self.scene, self.field()
         if scene is not None:
-            self._picture.colour_tiles(scene, one, self._colour_map(one), self.range(), self.selected,
-                                       bool(self.age(one)))
-
-    def _colour_sheets(self) -> None:
-        scene, one = self.scene, self.field()
-        if scene is not None:
-            self._picture.colour_sheets(scene, one, self._colour_map(one), self.range(), bool(self.age(one)))
+            name, ends, faded = self._colour_map(one), self.range(), bool(self.age(one))
+            self._picture.colour_tiles(scene, one, name, ends, self.selected, faded)
+            self._picture.colour_sheets(scene, one, name, ends, faded)
 
     def _tell(self) -> None:
         for observer in list(self.observers):
@@ -369,7 +362,7 @@ class Overlay:
         if self._iterating:
             notes.append(translate("CurveUps_Overlay", "present state of the solver"))
         elif self.scene is not None and (one is not None or self.age(one)):
-            notes.append(origin.text(one, self.scene))
+            notes.append(picture.origin_of(one, self.scene))
         if self.age(one):
             notes.append(self.age(one))
         if self.note:

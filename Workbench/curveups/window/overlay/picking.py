@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where the mouse is on the tiles, down to the edge: for tools that pick edges.
+"""Where the mouse is on the tiles, down to the edge, and lines along edges: for tools that pick edges.
 
     pick(view, position, design) -> Pick or None
 
@@ -9,14 +9,20 @@ corner, as FreeCAD's event callbacks have it in event["Position"].
 
 from __future__ import annotations
 
+import time
+from contextlib import suppress
 from dataclasses import dataclass
-from typing import Any, Optional, Sequence
+from typing import Any, Callable, Iterable, Mapping, Optional, Sequence
 
 import FreeCAD
 import numpy as np
 from pivy import coin
 
+from ...stages.cut_request import sides_of_edges
 from ..overlays import overlay_of
+from ..qt import QtCore
+from .cameras import views_of
+from .nodes import add, fill, unlit, unpickable
 from .overlay import Overlay
 
 
@@ -99,3 +105,129 @@ def _on_tile(overlay: Overlay, tile: int, corners: np.ndarray, shift: np.ndarray
     a, b = (int(overlay.scene.F[tile, k]) for k in (edge, (edge + 1) % 3))
     world = [np.array(place.multVec(FreeCAD.Vector(*p))) for p in (point, *ends[edge])]
     return Pick(overlay, tile, edge, (a, b), world[0], np.array(world[1:]))
+
+
+_SECONDS_BETWEEN_LOOKS = 0.03
+
+
+class PickTool:
+    """hover: gets a Pick or None as the mouse moves. click: gets a Pick; beside the tiles, and to turn or
+    move the view, the mouse stays FreeCAD's. escape: answers whether Escape was of use."""
+
+    def __init__(self, design: Any, hover: Callable[[Optional[Pick]], None], click: Callable[[Pick], None],
+                 escape: Callable[[], bool]):
+        self._design = design
+        self._hover, self._click, self._escape = hover, click, escape
+        self._looked, self._pressed = 0.0, False
+        self._filters = [_Filter(view, self._takes) for view in views_of(design.Document.Name)]
+
+    def close(self) -> None:
+        """The mouse is FreeCAD's again."""
+        for one in self._filters:
+            one.close()
+
+    def _takes(self, view: Any, event: Any) -> bool:
+        kind = event.type()
+        if kind == QtCore.QEvent.MouseMove and not event.buttons():
+            now = time.perf_counter()
+            if now - self._looked >= _SECONDS_BETWEEN_LOOKS:
+                self._looked = now
+                self._hover(self._find(view, event))
+        elif kind in (QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonDblClick):
+            self._pressed = event.button() == QtCore.Qt.LeftButton and self._find(view, event) is not None
+            return self._pressed
+        elif kind == QtCore.QEvent.MouseButtonRelease and self._pressed:
+            self._pressed = False
+            found = self._find(view, event)
+            if found is not None:
+                self._click(found)
+            return True
+        elif kind == QtCore.QEvent.KeyPress and event.key() == QtCore.Qt.Key_Escape:
+            return self._escape()
+        return False
+
+    def _find(self, view: Any, event: Any) -> Optional[Pick]:
+        """At the event's place, in pixels of the screen from the view's lower left corner."""
+        area = view.graphicsView().viewport()
+        place = event.position() if hasattr(event, "position") else event.pos()
+        ratio = area.devicePixelRatioF()
+        return pick(view, (place.x() * ratio, (area.height() - 1 - place.y()) * ratio), self._design)
+
+
+class _Filter(QtCore.QObject):
+    """Sees the events of a view before FreeCAD does. takes: whether FreeCAD does not get one."""
+
+    def __init__(self, view: Any, takes: Callable[[Any, Any], bool]):
+        super().__init__()
+        self._view, self._takes = view, takes
+        self._widgets = view.graphicsView().viewport(), view.graphicsView()  # mouse, keys
+        for widget in self._widgets:
+            widget.installEventFilter(self)
+
+    def close(self) -> None:
+        """Sees no more events."""
+        with suppress(RuntimeError):  # the view is gone
+            for widget in self._widgets:
+                widget.removeEventFilter(self)
+
+    def eventFilter(self, widget: Any, event: Any) -> bool:
+        # PySide2 may hand over a deleted object that had the event's address.
+        try:
+            return isinstance(event, QtCore.QEvent) and self._takes(self._view, event)
+        except (RuntimeError, ReferenceError):  # a view or a design is going
+            return False
+
+
+# Apart in lightness as well as in hue.
+COLOURS = {"cut": (0.0, 0.0, 0.0), "selected": (0.90, 0.62, 0.0), "hovered": (0.34, 0.71, 0.91),
+           "suggested": (0.84, 0.37, 0.0)}
+_WIDTHS = {"cut": 5.0, "selected": 7.0, "hovered": 6.0, "suggested": 4.0}
+
+
+class CutLines:
+    """Added to an Overlay until it is closed."""
+
+    def __init__(self, overlay: Any):
+        self._overlay = overlay
+        self._F: Any = None
+        self._sides: dict[tuple[int, int], list[tuple[int, int]]] = {}
+        self.node = coin.SoSeparator()
+        add(self.node, unpickable(), unlit())
+        self._lines = {kind: self._add_lines(COLOURS[kind], _WIDTHS[kind]) for kind in COLOURS}
+        overlay.node.addChild(self.node)
+
+    def close(self) -> None:
+        self._overlay.node.removeChild(self.node)
+
+    def draw(self, kinds: Mapping[str, Iterable[Sequence[int]]]) -> None:
+        """kinds: pairs of vertices by kind of line."""
+        scene = self._overlay.scene
+        if scene is None:
+            return
+        if scene.F is not self._F:
+            self._F, self._sides = scene.F, sides_of_edges(scene.F)
+        figures = self._overlay.figures()
+        for kind, (points, lines) in self._lines.items():
+            sides = [side for a, b in kinds.get(kind, ())
+                     for side in self._sides.get((min(a, b), max(a, b)), ())]
+            found = [self._ends(corners, shift, sides) for corners, shift in figures] if sides else []
+            places = np.concatenate(found) if found else np.zeros((0, 3))
+            lines.numVertices.setNum(0)
+            fill(points.point, places)
+            fill(lines.numVertices, np.full(len(places) // 2, 2, np.int32))
+
+    def _ends(self, corners: np.ndarray, shift: np.ndarray, sides: list[tuple[int, int]]) -> np.ndarray:
+        tile, k = np.array(sides).T
+        return (np.stack([corners[tile, k], corners[tile, (k + 1) % 3]], axis=1) + shift).reshape(-1, 3)
+
+    def _add_lines(self, colour: tuple, width: float) -> tuple[Any, Any]:
+        part, style, points, lines = (coin.SoSeparator(), coin.SoDrawStyle(), coin.SoCoordinate3(),
+                                      coin.SoLineSet())
+        style.lineWidth = width
+        shade = coin.SoBaseColor()
+        shade.rgb = colour
+        add(part, shade, style, points, lines)
+        self.node.addChild(part)
+        points.point.setNum(0)
+        lines.numVertices.setNum(0)
+        return points, lines

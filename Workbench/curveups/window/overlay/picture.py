@@ -1,20 +1,123 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The picture of one Design: a figure of its tiles, a second one beside it where both states are wanted, and
-the colours that these share. It knows scenes and fields, no document."""
+"""The picture of one Design: a figure of its tiles, a second one beside it where both states are wanted, the
+colours that these share; and what it was made from, and whether that is still so."""
 
 from __future__ import annotations
 
-from typing import Any, Iterable, Optional, Sequence
+from typing import Any, Iterable, Mapping, Optional, Sequence
 
 import FreeCAD
 import numpy as np
 from pivy import coin
 
-from . import colours
+from ...features.status import OUT_OF_DATE
+from ...stages import BY_NAME
+from ..qt import translate
+from ..units import text_of
+from . import colours, prisms
 from .fields import MEMBRANE, Field
-from .figure import Figure
-from .nodes import fill
+from .nodes import Markers, Outlines, Prisms, Sheet, add, fill
 from .scene import Scene
+
+
+class State:
+    """What a scene is made from: equal for projects that are drawn alike."""
+
+    def __init__(self, project: Any, of_target: bool):
+        self._made = [project.latest(name) for name, stage in BY_NAME.items() if stage.shown]
+        self._values = project.parameters.to_dict(), project.out_of_date("feasibility"), of_target
+
+    def same(self, other: Optional["State"]) -> bool:
+        return other is not None and self._values == other._values and all(
+            mine is theirs for mine, theirs in zip(self._made, other._made))
+
+
+def age(design: Any, one: Optional[Field], scene: Optional[Scene]) -> str:
+    """Why what a field shows, or without one the tiles, is out of date; empty where it is not."""
+    part = getattr(design, _slot(one, scene), None)
+    if part is None or part.Status != OUT_OF_DATE:
+        return ""
+    return translate("CurveUps_Overlay", "out of date: {why}", why=part.Reason)
+
+
+def origin_of(one: Optional[Field], scene: Scene) -> str:
+    """What the values of a field, or without one the tiles, are of."""
+    get = scene.parameters.get
+    length, tau = text_of(get("L"), "mm", get("L")), f"{get('tau'):g}"
+    return {
+        "Target": translate("CurveUps_Overlay", "of the target, L = {length}", length=length),
+        "Layout": translate("CurveUps_Overlay", "of the layout, L = {length}, Tau = {tau}", length=length,
+                            tau=tau),
+        "Verification": translate("CurveUps_Overlay", "of the verified layout, L = {length}, Tau = {tau}",
+                                  length=length, tau=tau)}[_slot(one, scene)]
+
+
+def _slot(one: Optional[Field], scene: Optional[Scene]) -> str:
+    if one is not None:
+        return one.part
+    return "Target" if scene is None or scene.flat is None else "Layout"
+
+
+class Figure:
+    """`node` holds all of it. The flat and the actuated tiles side by side are two figures that share
+    their colours, so that a tile looks the same in both."""
+
+    def __init__(self, tile_colours: Any, sheet_colours: Sequence[Any]):
+        """SoPackedColor nodes: six colours a tile, and one a triangle of either membrane."""
+        self.node = coin.SoSeparator()
+        self.corners = np.empty((0, 6, 3))  # of the tiles as they are drawn, mm
+        self.shift = coin.SoTranslation()
+        self._tiles = Prisms(prisms.THIRDS, tile_colours)
+        pin_colour = coin.SoPackedColor()
+        pin_colour.orderedRGBA = int(colours.packed(np.array(colours.PIN)))
+        self._pins, self._pins_shown = Prisms(prisms.WHOLE, pin_colour), coin.SoSwitch()
+        self._pins_shown.addChild(self._pins.node)
+        self._sheets, self._sheets_shown = [Sheet(colour) for colour in sheet_colours], coin.SoSwitch()
+        for sheet in self._sheets:
+            self._sheets_shown.addChild(sheet.node)
+        self._marks = coin.SoSeparator()
+        self._selected, self._hovered = Outlines(3), Outlines(3)
+        add(self.node, self.shift, self._tiles.node, self._pins_shown, self._sheets_shown, self._marks,
+            self._selected.node, self._hovered.node)
+
+    def draw(self, scene: Scene, t: float, pins: bool, membranes: bool) -> None:
+        """The scene at t from 0, flat, to 1, actuated. Marks and outlines are drawn apart."""
+        self.corners = scene.tiles_at(t)
+        self._tiles.set_corners(self.corners)
+        self._show(self._pins_shown, pins and len(scene.actuated_pins) > 0)
+        if pins and len(scene.actuated_pins):
+            self._pins.set_corners(prisms.pin_prisms(scene.pins_at(t)))
+        known = [scene.membrane_at(sheet, t) for sheet in scene.membranes] if membranes else []
+        self._show(self._sheets_shown, bool(known))
+        for sheet, membrane, points in zip(self._sheets, scene.membranes, known):
+            sheet.set_shape(points, membrane.triangles)
+
+    def mark(self, places: Mapping[str, np.ndarray]) -> None:
+        """Marks by their shape at points (K x 3, mm)."""
+        self._marks.removeAllChildren()
+        for shape, points in places.items():
+            if len(points):
+                markers = Markers(shape, colours.MARK)
+                markers.set_points(points)
+                self._marks.addChild(markers.node)
+
+    def outline(self, selected: Sequence[int], hovered: Sequence[int], selection: tuple,
+                highlight: tuple) -> None:
+        """Rims of tiles by number, in the colours of selection and highlight."""
+        self._selected.set_corners(self.corners[list(selected)], selection)
+        self._hovered.set_corners(self.corners[list(hovered)], highlight)
+
+    def tile_of(self, picked: Any) -> int:
+        """The tile that a SoPickedPoint is on, by itself or by its pins; -1 where it is none of these."""
+        tile = self._tiles.prism_of(picked)
+        if tile < 0:
+            pin = self._pins.prism_of(picked)
+            tile = pin % len(self.corners) if pin >= 0 else -1
+        return tile
+
+    @staticmethod
+    def _show(switch: Any, shown: bool) -> None:
+        switch.whichChild = coin.SO_SWITCH_ALL if shown else coin.SO_SWITCH_NONE
 
 
 class Picture:
@@ -30,8 +133,7 @@ class Picture:
         self.t = 0.0
         matt = coin.SoMaterial()
         matt.specularColor = (0, 0, 0)
-        for part in (self._placement, matt, self._figure.node, self._beside_shown):
-            self.node.addChild(part)
+        add(self.node, self._placement, matt, self._figure.node, self._beside_shown)
 
     @property
     def corners(self) -> np.ndarray:

@@ -50,14 +50,10 @@ class _Selection:
     def addSelection(self, document: str, name: str, element: str, point: Any) -> None:
         self._tell(document, element)
 
-    def removeSelection(self, document: str, name: str, element: str) -> None:
+    def clearSelection(self, document: str, *_: str) -> None:
         self._tell(document)
 
-    def setSelection(self, document: str) -> None:
-        self._tell(document)
-
-    def clearSelection(self, document: str) -> None:
-        self._tell(document)
+    removeSelection = setSelection = clearSelection
 
     def setPreselection(self, document: str, name: str, element: str) -> None:
         self._hovered = (document, name, element)
@@ -76,12 +72,8 @@ class _Selection:
             overlay.mark_selected(selected, [hovered] if hovered >= 0 else [])
             tile = tile_in(element)
             if tile >= 0 and tile in selected:
-                _say(overlay, element, tile)
-
-
-def _say(overlay: Any, name: str, tile: int) -> None:
-    values = "; ".join(f"{title} {value}" for title, value in overlay.values_of(tile))
-    FreeCADGui.getMainWindow().statusBar().showMessage(f"{name}: {values}", 60_000)
+                values = "; ".join(f"{title} {value}" for title, value in overlay.values_of(tile))
+                FreeCADGui.getMainWindow().statusBar().showMessage(f"{element}: {values}", 60_000)
 
 
 class _Units:

@@ -33,12 +33,10 @@ class ActuatePanel(Panel):
         form = self.form
         self._clock = QtCore.QTimer(form)
         self._clock.timeout.connect(lambda: self._advance())
-        form.run.clicked.connect(lambda *_: self.run())
         form.frame.valueChanged.connect(lambda *_: self._draw())
         form.frame.sliderPressed.connect(lambda: self._play(False))
-        form.play.clicked.connect(lambda *_: self._play(not self._clock.isActive()))
-        form.select.clicked.connect(lambda *_: self._select())
-        form.save.clicked.connect(lambda *_: self._save())
+        self._on_clicks(run=self.run, play=lambda: self._play(not self._clock.isActive()),
+                        select=self._select, save=self._save)
         self._take(None)
         self._follow()
         self._draw()

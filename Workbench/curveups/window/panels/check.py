@@ -18,11 +18,11 @@ from ...project.worker import Status
 from ...report import check as words
 from ...stages import asked_by
 from .. import runs
-from ..macro import assign
 from ..notice import errors_shown, show_line, shown, words_of
 from ..qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, translate
 from ..run import LIVE, Task
-from ..units import row_in_user_units
+from ..runs import assign
+from ..units import in_user_units
 from .panel import Panel, enable
 
 _MOST, _LETTERS = 300, 24  # obstacles; letters in a line
@@ -46,11 +46,8 @@ class CheckPanel(Panel):
                                         translate("CurveUps_Check", "Obstacles")])
         form.margins.header().setSectionResizeMode(QtWidgets.QHeaderView.Stretch)
         form.obstacles.header().setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
-        form.check.clicked.connect(lambda *_: self.check())
-        form.find.clicked.connect(lambda *_: self._find())
-        form.use_length.clicked.connect(lambda *_: self._use("L"))
-        form.use_thickness.clicked.connect(lambda *_: self._use("H_body"))
-        form.choose.clicked.connect(lambda *_: self._choose())
+        self._on_clicks(check=self.check, find=self._find, choose=self._choose,
+                        use_length=lambda: self._use("L"), use_thickness=lambda: self._use("H_body"))
         form.margins.itemSelectionChanged.connect(lambda: self._show_margin())
         form.obstacles.itemSelectionChanged.connect(lambda: self._go())
         self._follow()
@@ -125,8 +122,7 @@ class CheckPanel(Panel):
         form, known = self.form, "sizes" in found
         form.find.setVisible(not known)
         form.advice.setVisible(known)
-        form.advice.setText("\n".join(shown(one, False) for one in words.advice(found))
-                            if known else "")
+        form.advice.setText("\n".join(shown(one, False) for one in words.advice(found)) if known else "")
         for name, button in (("L", form.use_length), ("H_body", form.use_thickness)):
             sizes = sizes_to_use(name, found)
             button.setVisible(bool(sizes))
@@ -135,14 +131,15 @@ class CheckPanel(Panel):
     def _fill_margins(self, found: Results) -> None:
         tree = self.form.margins
         tree.clear()
-        for row in words.rows(found):
-            head, worst, tile, *cells = row_in_user_units((words_of(row[0]), *row[1:]))
+        for figure in found["feasibility"].figures:
+            head, number = in_user_units(words_of(figure.name))
+            _, worst, tile, *cells = words.row(figure, found["feasibility"].blocked, number)
             top = QtWidgets.QTreeWidgetItem(tree, [fill(head, _LETTERS)])
             top.setFirstColumnSpanned(True)
             top.setExpanded(True)
             values = QtWidgets.QTreeWidgetItem(top, [f"{worst}\n{tile}".strip(), *cells])
             for item in (top, values):
-                item.setData(0, QtCore.Qt.UserRole, (_FIELDS[row[0]], tile))
+                item.setData(0, QtCore.Qt.UserRole, (_FIELDS[figure.name], tile))
         self.form.note.setText(words_of(ESTIMATE))
 
     def _fill_obstacles(self, found: Results) -> None:

@@ -3,8 +3,9 @@
 
 from __future__ import annotations
 
+import time
 from dataclasses import replace
-from typing import Any, Iterable, Optional
+from typing import Any, Callable, Iterable, Optional
 
 import FreeCAD
 import numpy as np
@@ -14,18 +15,64 @@ from ...features import document
 from ...features.actions import transaction
 from ...project.worker import Status
 from ...stages.cut_request import CutRequest
+from ...stages.stage import Job
 from .. import runs
 from ..cut_paths import CutPaths, Edge, groups
-from ..macro import call, named
 from ..notice import errors_shown
-from ..overlay.cut_lines import CutLines
-from ..overlay.pick_tool import PickTool
-from ..overlay.picking import Pick
+from ..overlay.picking import CutLines, Pick, PickTool
 from ..overlay.watching import unit_observers
 from ..qt import QtCore, QtWidgets, translate
 from ..run import LIVE, Task
-from .cut_layout import CutLayout
+from ..runs import call, named
 from .panel import Panel, enable
+
+
+class CutLayout:
+    """Of a Design whose project has a target, mended where that is asked for."""
+
+    def __init__(self, design: Any, project: Any):
+        self._design, self._project = design, project
+        V, F = np.asarray(project.latest("target smoothing").V), np.asarray(project.latest("target").F)
+        finished = project.latest("design")
+        has_layout = finished is not None and np.array_equal(finished.design.F, F)
+        # Layouts stay where the camera looks: at the one before, else at the target.
+        self._middle = (finished.design.T if has_layout else V[F][..., :2]).mean((0, 1))
+        self._last: Optional[tuple[np.ndarray, np.ndarray]] = None
+        self.seconds, self.restarting = 0.0, False
+
+    def start(self, edges: np.ndarray, done: Callable[[], None]) -> None:
+        """With these cuts, C x 2, and those of pieces. What runs of it already is dropped. done is called in
+        the window's thread, after the run's end."""
+        if LIVE.runs_on(self._design):
+            self.restarting = True
+            try:
+                LIVE.cancel()
+            finally:
+                self.restarting = False
+        begun, twin = time.perf_counter(), self._project.copy()
+        twin.give("cut request", CutRequest(edges=np.asarray(edges, np.int32).reshape(-1, 2)))
+
+        def work(job: Job) -> Any:
+            listen = job.listen
+            if listen is not None:
+                tell = listen
+                job.listen = lambda stage, T, *others: tell(stage, self._in_sight(T), *others)
+            design = twin.run(("layout",), job)["layout"].design
+            return self._in_sight(design.T), design.q
+
+        def finish(design: Any, value: Any) -> None:
+            self._last = value
+            self.seconds = time.perf_counter() - begun
+
+        LIVE.start(self._design, Task(translate("CurveUps_Cuts", "Lay out"), work, finish, told=done))
+
+    def show(self, overlay: Any) -> None:
+        """Draws the last one."""
+        if self._last is not None:
+            overlay.set_iterate(*self._last)
+
+    def _in_sight(self, T: np.ndarray) -> np.ndarray:
+        return T + (self._middle - T.mean((0, 1)))
 
 
 class CutsPanel(Panel):
@@ -42,10 +89,8 @@ class CutsPanel(Panel):
         self._layout: Optional[CutLayout] = None
         self._lines = CutLines(self._overlay)
         self._tool: Optional[PickTool] = None
-        form.anew.clicked.connect(lambda *_: self._begin_anew())
-        form.remove.clicked.connect(lambda *_: self._remove())
-        form.suggest.clicked.connect(lambda *_: self._suggest())
-        form.accept.clicked.connect(lambda *_: self._accept())
+        self._on_clicks(anew=self._begin_anew, remove=self._remove, suggest=self._suggest,
+                        accept=self._accept)
         form.live.toggled.connect(lambda on: self._lay_out() if on else self._stop_layout())
         form.cuts.itemSelectionChanged.connect(lambda: self._draw())
         form.suggested.itemSelectionChanged.connect(lambda: self._show_suggestion())
@@ -260,14 +305,12 @@ class CutsPanel(Panel):
     # The layout that follows.
 
     def _lay_out(self) -> None:
-        if self._layout is None or not self.form.live.isChecked() or not self._overlay_fits():
+        scene = self._overlay.scene
+        if (self._layout is None or not self.form.live.isChecked() or scene is None or self._paths is None
+                or not np.array_equal(scene.F, self._paths.F)):
             return
         with errors_shown(translate("CurveUps_Cuts", "Lay out")):
             self._layout.start(document.cuts_of(self.design), self._laid_out)
-
-    def _overlay_fits(self) -> bool:
-        scene = self._overlay.scene
-        return scene is not None and self._paths is not None and np.array_equal(scene.F, self._paths.F)
 
     def _laid_out(self) -> None:
         """The layout stands: it is shown, not stored."""

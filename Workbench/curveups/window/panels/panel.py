@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from contextlib import suppress
-from typing import Any, Optional
+from typing import Any, Callable, Optional
 
 import FreeCADGui
 
@@ -100,13 +100,17 @@ class Panel(ABC):
         for name in ("line", "verdict", "doubts"):
             if hasattr(self.form, name):
                 getattr(self.form, name).linkActivated.connect(lambda link: follow_link(link))
-        for name, end in (("stop", lambda *_: LIVE.stop()), ("cancel", lambda *_: LIVE.cancel())):
-            if hasattr(self.form, name):
-                getattr(self.form, name).clicked.connect(end)
+        ends: dict[str, Callable[[], object]] = {"stop": LIVE.stop, "cancel": LIVE.cancel}
+        self._on_clicks(**{name: end for name, end in ends.items() if hasattr(self.form, name)})
         # Once for many changes.
         self._later = QtCore.QTimer(self.form)
         self._later.setSingleShot(True)
         self._later.timeout.connect(lambda: self.show())
+
+    def _on_clicks(self, **actions: Callable[[], object]) -> None:
+        """What buttons of the form do, by their names."""
+        for name, action in actions.items():
+            getattr(self.form, name).clicked.connect(lambda *_, action=action: action())
 
     def _follow(self) -> None:
         """To be called once the form is ready."""

@@ -11,10 +11,10 @@ import FreeCAD
 import FreeCADGui
 
 from ...features.actions import transaction
-from ..macro import assign
 from ..notice import errors_shown
 from ..overlay.watching import unit_observers
 from ..qt import QtCore, QtWidgets, freecad_field, translate
+from ..runs import assign
 from ..units import show_number, whole
 from .preferences import plain
 
@@ -153,8 +153,7 @@ class ParameterRows:
 
     def _number(self, name: str) -> Any:
         field = freecad_field("Gui::QuantitySpinBox")
-        which = _value_of(field)
-        field.valueChanged.connect(lambda *_: self._edit_number(name, which))
+        field.valueChanged.connect(lambda *_: self._edit_number(name))
         value = getattr(self._object, name)
         if hasattr(value, "Unit"):
             field.setProperty("unit", value.getUserPreferred()[2])
@@ -163,10 +162,10 @@ class ParameterRows:
         self._bindings.append(binding)  # lives as long as the field
         return field
 
-    def _edit_number(self, name: str, which: str) -> None:
+    def _edit_number(self, name: str) -> None:
         field = self._fields.get(name)
         if field is not None:
-            self._edit(name, field.property(which))
+            self._edit(name, field.property("rawValue"))  # in FreeCAD's own units
 
 
 def _in_row(field: Any, other: Any) -> Any:
@@ -176,11 +175,6 @@ def _in_row(field: Any, other: Any) -> Any:
     return row
 
 
-def _value_of(field: Any) -> str:
-    """The property of a number field that holds the number, in FreeCAD's own units."""
-    return "value" if isinstance(field, QtWidgets.QSpinBox) else "rawValue"
-
-
 def _show(field: Any, value: Any) -> None:
     if isinstance(field, QtWidgets.QCheckBox):
         field.setChecked(value)
@@ -188,8 +182,6 @@ def _show(field: Any, value: Any) -> None:
         field.setCurrentText(value)
     elif isinstance(field, QtWidgets.QLineEdit):
         field.setText(value)
-    elif isinstance(field, QtWidgets.QSpinBox):
-        field.setValue(value)
     elif not field.hasFocus() or field.property("rawValue") != plain(value):  # or while it is typed
         show_number(field, value)
 

@@ -10,35 +10,18 @@ import FreeCAD
 GROUP = "User parameter:BaseApp/Preferences/Mod/CurveUps"
 
 
-def _group(name: str = "") -> Any:
+def group(name: str = "") -> Any:
+    """FreeCAD's parameters of CurveUps, or a group of them."""
     return FreeCAD.ParamGet(f"{GROUP}/{name}" if name else GROUP)
 
 
 def draws_live() -> bool:
     """Whether the layout is drawn while it is solved."""
-    return _group().GetBool("DrawLive", True)
+    return group().GetBool("DrawLive", True)
 
 
 def set_draws_live(value: bool) -> None:
-    _group().SetBool("DrawLive", value)
-
-
-def shows_all() -> bool:
-    """Whether panels show parameters that are seldom needed as well."""
-    return _group().GetBool("AllParameters", False)
-
-
-def set_shows_all(value: bool) -> None:
-    _group().SetBool("AllParameters", value)
-
-
-def export_mask() -> str:
-    """How files were named last."""
-    return _group().GetString("ExportMask", "{name}-{body}")
-
-
-def set_export_mask(mask: str) -> None:
-    _group().SetString("ExportMask", mask)
+    group().SetBool("DrawLive", value)
 
 
 _WRITERS = {bool: "SetBool", int: "SetInt", float: "SetFloat", str: "SetString"}
@@ -46,7 +29,7 @@ _WRITERS = {bool: "SetBool", int: "SetInt", float: "SetFloat", str: "SetString"}
 
 def remember(design: Any, names: list[str]) -> None:
     """New designs begin with the values that these properties have; lengths in mm."""
-    store = _group("Defaults")
+    store = group("Defaults")
     for name in names:
         value = plain(getattr(design, name))
         getattr(store, _WRITERS[type(value)])(name, value)
@@ -56,7 +39,7 @@ def remembered(design: Any) -> dict[str, Any]:
     """Values by property name in which `design` differs from what new designs begin with; FreeCAD's own
     units."""
     found = {}
-    for _, name, value in _group("Defaults").GetContents() or ():
+    for _, name, value in group("Defaults").GetContents() or ():
         if name in design.PropertiesList and plain(getattr(design, name)) != value:
             found[name] = value
     return found

@@ -17,50 +17,39 @@ from ...base.findings import first_of_each_kind
 from ...features import properties
 from ...features.live import stored, warnings_of
 from ...features.status import CURRENT, INVALID, OUT_OF_DATE
+from ...project.project import HOLDS
 from ...project.size_choice import AUTOMATIC
-from ...project.verdict import HOLDS
 from ...project.worker import Status
 from ...stages import label_of
 from ...stages.settle import Range
 from .. import runs
-from ..macro import call, named
 from ..notice import errors_shown, shown
 from ..qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, translate
 from ..run import LIVE
+from ..runs import call, named
 from ..units import short
 from . import preferences
 from .check import choose_sizes
 from .panel import Panel, enable, fit_columns
 from .parameter_rows import ParameterRows
 
-_GROUPS = {
-    "Target": QT_TRANSLATE_NOOP("CurveUpsSolve", "Target"),
-    "Tiles": QT_TRANSLATE_NOOP("CurveUpsSolve", "Tiles"),
-    "Layout": QT_TRANSLATE_NOOP("CurveUpsSolve", "Layout"),
-    "Physics": QT_TRANSLATE_NOOP("CurveUpsSolve", "Physics"),
-    "Repair": QT_TRANSLATE_NOOP("CurveUpsSolve", "Repair"),
-    "Bumps": QT_TRANSLATE_NOOP("CurveUpsSolve", "Bumps"),
-    "Support": QT_TRANSLATE_NOOP("CurveUpsSolve", "Support"),
-    "Anchors": QT_TRANSLATE_NOOP("CurveUpsSolve", "Anchors"),
-    "Files": QT_TRANSLATE_NOOP("CurveUpsSolve", "Files"),
-}
+# What properties and the parameter table say in English; the panel translates it.
+_MARKED = (
+    QT_TRANSLATE_NOOP("CurveUpsSolve", "Target"), QT_TRANSLATE_NOOP("CurveUpsSolve", "Tiles"),
+    QT_TRANSLATE_NOOP("CurveUpsSolve", "Layout"), QT_TRANSLATE_NOOP("CurveUpsSolve", "Physics"),
+    QT_TRANSLATE_NOOP("CurveUpsSolve", "Repair"), QT_TRANSLATE_NOOP("CurveUpsSolve", "Bumps"),
+    QT_TRANSLATE_NOOP("CurveUpsSolve", "Support"), QT_TRANSLATE_NOOP("CurveUpsSolve", "Anchors"),
+    QT_TRANSLATE_NOOP("CurveUpsSolve", "Files"), QT_TRANSLATE_NOOP("CurveUpsSolve", "valid"),
+    QT_TRANSLATE_NOOP("CurveUpsSolve", "not valid"), QT_TRANSLATE_NOOP("CurveUpsSolve", "not judged"),
+    QT_TRANSLATE_NOOP("CurveUpsSolve", "holds"), QT_TRANSLATE_NOOP("CurveUpsSolve", "does not hold"),
+    QT_TRANSLATE_NOOP("CurveUpsSolve", "not settled"), QT_TRANSLATE_NOOP("CurveUpsSolve", "out of date"),
+    QT_TRANSLATE_NOOP("CurveUpsSolve", "empty"), QT_TRANSLATE_NOOP("CurveUpsSolve", "invalid"),
+    QT_TRANSLATE_NOOP("CurveUpsSolve", "running"))
 _MATERIALS = {
     "material_membrane": QT_TRANSLATE_NOOP("CurveUpsSolve", "Membrane"),
     "material_glue": QT_TRANSLATE_NOOP("CurveUpsSolve", "Glue"),
     "material_tile": QT_TRANSLATE_NOOP("CurveUpsSolve", "Material of tiles"),
 }
-# What properties say in English; the panel translates it.
-_STATES = (
-    QT_TRANSLATE_NOOP("CurveUpsSolve", "valid"),
-    QT_TRANSLATE_NOOP("CurveUpsSolve", "not valid"),
-    QT_TRANSLATE_NOOP("CurveUpsSolve", "not judged"),
-    QT_TRANSLATE_NOOP("CurveUpsSolve", "holds"),
-    QT_TRANSLATE_NOOP("CurveUpsSolve", "does not hold"),
-    QT_TRANSLATE_NOOP("CurveUpsSolve", "not settled"),
-    QT_TRANSLATE_NOOP("CurveUpsSolve", "out of date"),
-    QT_TRANSLATE_NOOP("CurveUpsSolve", "empty"),
-    QT_TRANSLATE_NOOP("CurveUpsSolve", "invalid"),
-    QT_TRANSLATE_NOOP("CurveUpsSolve", "running"))
 # Of the process window: what may be off.
 _RANGES = {
     "front_over_back": QT_TRANSLATE_NOOP("CurveUpsSolve", "Front over back"),
@@ -102,16 +91,13 @@ class SolvePanel(Panel):
     def _prepare_buttons(self) -> None:
         form = self.form
         for which in ("solve", "verify", "repair"):
-            getattr(form, which).clicked.connect(self._runner(which))
+            getattr(form, which).clicked.connect(lambda *_, which=which: self.run(which))
         form.live.setChecked(preferences.draws_live())
         form.live.toggled.connect(lambda value: preferences.set_draws_live(bool(value)))
         fit_columns(form.stages)
         form.stages.setFixedHeight(8 * form.stages.fontMetrics().height())
         fit_columns(form.window)
         form.window.itemClicked.connect(self._select_failing)
-
-    def _runner(self, which: str) -> Callable[..., None]:
-        return lambda *_: self.run(which)
 
     def _prepare_parameters(self) -> None:
         form = self.form
@@ -122,9 +108,9 @@ class SolvePanel(Panel):
             if name in known:
                 self._groups.setdefault(row.group, []).append(name)
         for group in filter(self._groups.get, properties.GROUPS):
-            form.group.addItem(translate("CurveUpsSolve", _GROUPS[group]), group)
+            form.group.addItem(translate("CurveUpsSolve", group), group)
         form.group.currentIndexChanged.connect(lambda *_: self._show_group())
-        form.all.setChecked(preferences.shows_all())
+        form.all.setChecked(preferences.group().GetBool("AllParameters", False))
         form.all.toggled.connect(lambda value: self._show_all(bool(value)))
         names = [name for group in self._groups.values() for name in group]
         form.remember.clicked.connect(lambda: preferences.remember(self.design, names))
@@ -196,7 +182,7 @@ class SolvePanel(Panel):
 
     def _make_rows(self) -> ParameterRows:
         names = self._groups.get(self.form.group.currentData(), [])
-        basic = [name for name in names if self._is_basic(name)]
+        basic = [name for name in names if (row := properties.parameter_of(name)) and row.basic]
         self.form.all.setVisible(0 < len(basic) < len(names))
         if basic and not self.form.all.isChecked():
             names = basic
@@ -204,12 +190,8 @@ class SolvePanel(Panel):
             properties.property_name(name): partial(self._automatic, name) for name in AUTOMATIC}
         return ParameterRows(self.form.rows, self.design, names, self.show, beside)
 
-    def _is_basic(self, name: str) -> bool:
-        row = properties.parameter_of(name)
-        return row is not None and row.basic
-
     def _show_all(self, value: bool) -> None:
-        preferences.set_shows_all(value)
+        preferences.group().SetBool("AllParameters", value)
         self._show_group()
 
     def show(self) -> None:

@@ -6,11 +6,12 @@ from __future__ import annotations
 from typing import Any
 
 from ...base.errors import tile_name
-from ...features.proxy import SLOTS
+from ...features.proxy import SLOTS, type_of
 from .. import overlays
 from ..overlay import watching
 from ..overlay.overlay import Overlay
-from .view import View
+from . import following
+from .part import CutsView, LayoutView, ShapeView, VerificationView, View
 
 
 class DesignView(View):
@@ -68,11 +69,31 @@ class DesignView(View):
         """Takes along what is below it, unless something else is made from that."""
         obj = view.Object
         for part in self.claimChildren():
-            if all(other == obj or _only_names(other) for other in part.InList):
+            # A group, or a sheet that reads it, may lose what it links to.
+            if all(other == obj or other.hasExtension("App::GroupExtension")
+                   or other.TypeId == "Spreadsheet::Sheet" for other in part.InList):
                 obj.Document.removeObject(part.Name)
         return True
 
 
-def _only_names(obj: Any) -> bool:
-    """Whether an object may lose what it links to: a group, or a sheet that reads it."""
-    return obj.hasExtension("App::GroupExtension") or obj.TypeId == "Spreadsheet::Sheet"
+_KINDS = {"CurveUps::Design": DesignView, "CurveUps::Cuts": CutsView, "CurveUps::Layout": LayoutView,
+          "CurveUps::Verification": VerificationView, "CurveUps::Target": ShapeView,
+          "CurveUps::Bodies": ShapeView}
+
+
+def attach(obj: Any) -> None:
+    """Gives an object of ours its view, where it has a Python one and lacks it."""
+    following.install()
+    view, kind = getattr(obj, "ViewObject", None), _KINDS.get(type_of(obj))
+    if view is None or kind is None or "Proxy" not in view.PropertiesList:
+        return
+    if isinstance(view.Proxy, kind):
+        return
+    attached = view.Proxy is not None  # in a FreeCAD without this workbench; FreeCAD attaches a view once
+    kind(view)
+    if attached:
+        view.Proxy.attach(view)
+    if attached and kind is not ShapeView:
+        view.DisplayMode = view.Proxy.getDisplayModes(view)
+        view.Visibility = False
+        view.Visibility = True

@@ -16,8 +16,8 @@ from ...base.errors import CurveUpsError
 from ...base.findings import refused
 from ...base.native import problem
 from ...features import live, properties, rebuild
-from ...features.keys import read_keys
 from ...features.proxy import designs
+from ...features.status import read_keys
 from ...project.worker import Outcome, Worker
 from ..qt import QtCore, translate
 
@@ -96,15 +96,14 @@ class Follower:
         design, values, self._design = self._design, self._values, None
         if design is None or outcome.cancelled:
             return
-        if design.Document.HasPendingTransaction:  # shapes would be copied into it
+        error = outcome.error
+        if error is not None and not isinstance(error, CurveUpsError):
+            error = CurveUpsError(f"unexpected failure: {error}", design.Label, "please report it")
+        # Shapes would be copied into a transaction.
+        if design.Document.HasPendingTransaction or _values(design) != values:
             self.later()
-        elif _values(design) != values:
-            self.later()
-        elif isinstance(outcome.error, CurveUpsError):
-            rebuild.fail(design, refused(outcome.error))
-        elif outcome.error is not None:
-            rebuild.fail(design, refused(CurveUpsError(f"unexpected failure: {outcome.error}", design.Label,
-                                                       "please report it")))
+        elif error is not None:
+            rebuild.fail(design, refused(error))
         elif outcome.value is not None:
             rebuild.take(design, outcome.value)
             self.later()

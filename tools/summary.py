@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""`python -m curveups.report.summary DIR` lists what a finished run made, in a few lines."""
+"""Lists what a finished run made, in a few lines: `tools/summary.py DIR`. Called by tools/demo."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import json
 import sys
 from pathlib import Path
 
-from ..project.verdict import Verdict
+from curveups.project.project import Verdict
 
 
 def summary(folder: Path) -> str:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where the surplus membrane is cut off: along rims, holes and cuts, on the stretched sheet seen from the
-front, at full size; and a picture of where that is on the shape."""
+"""Drawings on the flat layout, at full size: the map of tiles with their numbers; where the surplus membrane
+is cut off, along rims, holes and cuts; the frame in which parts of a print from several beds butt."""
 
 from __future__ import annotations
 
@@ -12,9 +12,39 @@ from matplotlib.figure import Figure
 from ..base.language import Text
 from ..report import pictures
 from ..report.assembly import TRIM
-from .drawing import INCH, LAYERS, Drawing, draw, made
-from .frame import outlines_of
+from ..stages.cut_request import mesh_edges
+from .beds import FIT
+from .drawing import INCH, LAYERS, Drawing, draw, made, show_part
 from .kit import Kit
+
+LEAST_EDGE = 14.0  # mm of a tile on the map, so that its number can be read
+LETTERS = 2.0      # mm
+MAP_MARGIN = 8.0
+
+
+def tile_map(kit: Kit) -> Drawing:
+    """The front on the left, the back on the right; tiles of the weakest contacts on the layer cut."""
+    corners = np.asarray(kit.results.design.T)
+    edge = float(np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2).mean())
+    corners = corners * max(1.0, LEAST_EDGE / edge)
+    low, high = corners.reshape(-1, 2).min(0), corners.reshape(-1, 2).max(0)
+    width, height = map(float, high - low)
+    size = (2 * width + 3 * MAP_MARGIN, height + 3 * MAP_MARGIN)
+    drawing = Drawing(kit.say("{title}, tiles", title=kit.title), size)
+    weak = {tile for one in kit.report.get("worst_contacts", ()) for tile in one["tiles"]}
+    front = corners - low + MAP_MARGIN
+    back = front * (-1, 1) + (2 * width + 3 * MAP_MARGIN, 0)
+    drawing.text(MAP_MARGIN, height + 2.2 * MAP_MARGIN, 3.0,
+                 kit.say("{title}: 12 is T00012", title=kit.title))
+    for text, half, x in ((Text("front"), front, MAP_MARGIN),
+                          (Text("back, mirrored"), back, width + 2 * MAP_MARGIN)):
+        drawing.text(x, height + 1.5 * MAP_MARGIN, 3.0, kit.say(text))
+        for tile, outline in enumerate(half):
+            drawing.closed("cut" if tile in weak else "grid", outline)
+            x, y = map(float, outline.mean(0))
+            drawing.centred(x, y, LETTERS, str(tile + 1))
+    return drawing
+
 
 STOP = 1.0  # mm, radius of a hole that keeps a slit in the membrane from tearing on
 MARGIN = 5.0
@@ -22,7 +52,7 @@ CORNER = 0.3  # of the distance; does for corners of up to 67 degrees
 Edge = tuple[int, int]  # tile, edge
 
 
-def make(kit: Kit, kind: str) -> bytes:
+def trim_file(kit: Kit, kind: str) -> bytes:
     """The marks as pdf, svg or dxf."""
     return made(marks(kit), kind, [kit.say(_NOTE, trim=TRIM)], kit.go_on, kit.say)
 
@@ -113,10 +143,9 @@ def _outline(pins: np.ndarray, loop: list[Edge]) -> np.ndarray:
 
 def _ends_of_cuts(design: Any) -> np.ndarray:
     """Where cuts end inside of the sheet, by the mean of the corners that meet there."""
-    cuts, F, T = np.asarray(design.cuts), np.asarray(design.F), np.asarray(design.T)
-    ends, times = np.unique(cuts, return_counts=True)
-    edges = np.sort(np.stack([F, np.roll(F, -1, axis=1)], axis=2).reshape(-1, 2), axis=1)
-    edges, sides = np.unique(edges, axis=0, return_counts=True)
+    F, T = np.asarray(design.F), np.asarray(design.T)
+    ends, times = np.unique(np.asarray(design.cuts), return_counts=True)
+    edges, sides = mesh_edges(F)
     rim = np.unique(edges[sides == 1])
     found = [T[F == vertex].mean(0) for vertex in ends[times == 1] if vertex not in rim]
     return np.array(found).reshape(-1, 2)
@@ -129,10 +158,8 @@ def trim_view(kit: Kit, width: float = 160.0) -> bytes:
     figure = Figure(figsize=(width / INCH, 0.55 * width / INCH))
     flat = figure.add_axes([0, 0.02, 0.5, 0.9])
     flat.set_title(kit.say("on the stretched sheet"))
-    flat.set_xlim(0, drawing.size[0])
-    flat.set_ylim(0, drawing.size[1])
+    show_part(flat, (0, 0, *drawing.size))
     flat.set_aspect("equal")
-    flat.axis("off")
     draw(flat, drawing, scale)
     rims = [(*edge, colour) for loop in boundary(kit.shapes, len(design.F)) for edge in loop]
     for bottom, turned, title in ((0.49, False, kit.say("on the shape, from two sides")), (0.02, True, "")):
@@ -140,3 +167,60 @@ def trim_view(kit: Kit, width: float = 160.0) -> bytes:
         axes.set_title(title)
         pictures._draw_actuated(axes, design, turned, lines=rims)
     return pictures._png(figure, 160)
+
+
+_FRAME_NOTE = Text("""Parts of the print with their numbers, seen from above, the side that lies up on the
+beds.""")
+FRAME_EDGE = 15.0  # mm of the frame around its pocket
+
+
+def frame_file(kit: Kit, kind: str) -> bytes:
+    """The frame as dxf or pdf."""
+    return made(frame(kit), kind, [kit.say(_FRAME_NOTE)], kit.go_on, kit.say)
+
+
+def frame(kit: Kit) -> Drawing:
+    """Layer cut: the frame and its pockets, one a piece. Layer control: the parts, as they lie in them; of
+    parts without slabs, which hold by their bridges, their tiles and anchors."""
+    assert kit.beds is not None
+    pockets = [_grown(np.asarray(loops[0]), FIT) for loops in kit.model.outlines]
+    model = kit.beds.model
+    parts = [(f"{part + 1}", [np.asarray(loops[0])])
+             for part, loops in zip(model.piece_of_bodies("support"), model.outlines)]
+    if not parts:
+        bodies = [(part, outline) for kind in ("tiles", "anchors") if model.volumes[kind]
+                  for part, outline in zip(model.piece_of_bodies(kind), outlines_of(model, kind))]
+        parts = [(f"{part + 1}", [outline for other, outline in bodies if other == part])
+                 for part in sorted({part for part, _ in bodies})]
+    lines = [*pockets, *(line for _, found in parts for line in found)]
+    low = np.min([line.min(0) for line in lines], axis=0) - FRAME_EDGE
+    size = np.max([line.max(0) for line in lines], axis=0) + FRAME_EDGE - low
+    drawing = Drawing(kit.say("{title}, frame", title=kit.title), (float(size[0]), float(size[1])))
+    if pockets:
+        drawing.box("cut", 0, 0, float(size[0]), float(size[1]))
+    for pocket in pockets:
+        drawing.closed("cut", pocket - low)
+    for name, found in parts:
+        for line in found:
+            drawing.closed("control", line - low)
+        x, y = np.concatenate(found).mean(0) - low
+        drawing.centred(float(x), float(y), 6.0, name)
+    return drawing
+
+
+def _grown(loop: np.ndarray, by: float) -> np.ndarray:
+    """A counter-clockwise loop, each side moved outwards."""
+    along = np.roll(loop, -1, axis=0) - loop
+    along = along / np.linalg.norm(along, axis=1)[:, None]
+    out = np.stack([along[:, 1], -along[:, 0]], axis=1)
+    both = out + np.roll(out, 1, axis=0)
+    return np.asarray(loop + 2 * by * both / np.maximum((both ** 2).sum(1), 1.0)[:, None])
+
+
+def outlines_of(model: Any, kind: str) -> list[np.ndarray]:
+    """Of each body of a native PrintModel, seen from above: convex hulls, n x 2 mm."""
+    from scipy.spatial import ConvexHull  # which other commands would pay
+
+    points, faces, body = model.mesh(kind)
+    seen = (points[np.unique(faces[body == one])][:, :2] for one in np.unique(body))
+    return [np.asarray(corners[ConvexHull(corners).vertices]) for corners in seen]
