@@ -42,7 +42,6 @@ struct SparseCholesky::Impl {
     common.nmethods = 1;
     common.method[0].ordering = given ? CHOLMOD_NATURAL : CHOLMOD_AMD;
     common.postorder = given ? 0 : 1;
-    common.supernodal = CHOLMOD_SUPERNODAL;
     common.final_ll = 1;
     // Supernodes somewhat larger than by default: a fifth less time with blocks of 3 to 9 unknowns.
     const std::size_t columns[3] = {8, 24, 64};
