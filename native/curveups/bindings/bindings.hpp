@@ -21,7 +21,10 @@
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/types.hpp"
-#include "curveups/physics/solved_design.hpp"
+
+namespace curveups {
+struct SolvedDesign;
+}
 
 namespace curveups::bindings {
 

@@ -80,8 +80,8 @@ void ContactWorld::predict_caps(const Poses& x, const Motions& way) {
     Eigen::Index cols() const { return static_cast<Eigen::Index>(6 * x.size()); }
     Eigen::VectorXd operator*(const Eigen::VectorXd& z) const {
       const Motions motions = Eigen::Map<const Motions>(z.data(), z.size() / 6, 6);
-      const Motions step = world.newton_step(
-          world.contacts_.cap_derivatives(x, world.options_.lever, motions));
+      const Motions step =
+          world.newton_step(world.contacts_.cap_derivatives(x, world.options_.lever, motions));
       return z - Eigen::Map<const Eigen::VectorXd>(step.data(), step.size());
     }
   };

@@ -49,8 +49,8 @@ SettledDesign settle_design(const Design& design, const Progress& progress,
   const ProgressScope scope(progress);
   const Parameters& parameters = design.parameters;
   const TileBodies bodies = make_tile_bodies(design);
-  SolvedDesign solved = solved_before ? *solved_before
-                                      : solve_design(bodies.geometry, design, progress);
+  SolvedDesign solved =
+      solved_before ? *solved_before : solve_design(bodies.geometry, design, progress);
   solved.design = design;
   checkpoint("settle", 0);
   SettledDesign out;

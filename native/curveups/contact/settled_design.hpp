@@ -45,8 +45,8 @@ struct SettledDesign {
   Eigen::Matrix<double, Eigen::Dynamic, 7, Eigen::RowMajor> poses;
 };
 
-// Under the design's parameters. solved: solve_design's of these tiles, pins and membranes, where it
-// is known; else null. Throws what make_tile_bodies and solve_design throw, Cancelled.
+// Under the design's parameters. solved: solve_design's of these tiles, pins and membranes, where
+// it is known; else null. Throws what make_tile_bodies and solve_design throw, Cancelled.
 SettledDesign settle_design(const Design& design, const Progress& progress,
                             const SolvedHandle& solved = nullptr);
 

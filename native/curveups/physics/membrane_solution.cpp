@@ -26,8 +26,8 @@ MembraneEquilibrium membrane_equilibrium(const MembraneMesh& mesh, const Points2
   return MembraneEquilibrium(mesh, flat, parameters.tau, membrane_material(parameters, side));
 }
 
-bool move_pins(SolvedMembrane& m, MembraneEquilibrium& equilibrium,
-               const Points3& actuated_corners, const Progress& progress) {
+bool move_pins(SolvedMembrane& m, MembraneEquilibrium& equilibrium, const Points3& actuated_corners,
+               const Progress& progress) {
   Points3 start = vertex_positions(m.mesh.weights, actuated_corners);
   start += m.state.x - vertex_positions(m.mesh.weights, m.actuated_corners);
   m.actuated_corners = actuated_corners;
@@ -100,8 +100,8 @@ bool move_pins(MembraneSolution& solution, const Points3& corners, const Paramet
       coarse.mesh, vertex_positions(coarse.mesh.weights, coarse.flat_corners), parameters, side);
   if (!move_pins(coarse, rough, corners)) return false;
   solution.coarse_forces = pin_corner_forces(coarse.mesh, coarse.state, tiles);
-  SolvedMembrane fine{std::move(solution.mesh), {}, std::move(solution.pin_corners),
-                      std::move(solution.state)};
+  SolvedMembrane fine{
+      std::move(solution.mesh), {}, std::move(solution.pin_corners), std::move(solution.state)};
   MembraneEquilibrium equilibrium =
       membrane_equilibrium(fine.mesh, solution.flat, parameters, side);
   const bool at_rest = move_pins(fine, equilibrium, corners);

@@ -237,9 +237,8 @@ std::vector<ForceGradient> gradients_of(const DesignForces& forces,
                                    motions.begin() + std::min(count, first + batch));
     std::array<std::vector<CornerGradient>, 2> corners;
     auto solve = [&](Side side) {
-      corners[static_cast<int>(side)] =
-          corner_gradients(forces.membrane(side), forces.equilibrium(side), system.centres(),
-                           system.lever(), some);
+      corners[static_cast<int>(side)] = corner_gradients(
+          forces.membrane(side), forces.equilibrium(side), system.centres(), system.lever(), some);
     };
     parallel_tasks({[&] { solve(Side::front); }, [&] { solve(Side::back); }});
     for (std::size_t k = 0; k < some.size(); ++k) {

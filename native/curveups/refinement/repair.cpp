@@ -365,8 +365,7 @@ RepairResult Repair::run() {
 }  // namespace
 
 RepairResult repair_design(const Design& design, const Progress& progress,
-                           const RepairCallback& callback, int max_steps,
-                           SolvedHandle solved) {
+                           const RepairCallback& callback, int max_steps, SolvedHandle solved) {
   return Repair(design, progress, callback, max_steps, std::move(solved)).run();
 }
 

@@ -64,8 +64,7 @@ using RepairCallback =
 // layout's constraints can't be restored or membranes fold over even so, SolverFailure.
 // solved: solve_design's of the design, where it is known; else null.
 RepairResult repair_design(const Design& design, const Progress& progress,
-                           const RepairCallback& callback = {},
-                           int max_steps = most_repair_steps,
+                           const RepairCallback& callback = {}, int max_steps = most_repair_steps,
                            SolvedHandle solved = nullptr);
 
 }  // namespace curveups
