@@ -55,7 +55,7 @@ def add_figures(obj: Any, with_units: bool) -> None:
 
 
 def write_figures(obj: Any, results: Results, solved: bool) -> None:
-    """Those that a run's results have; the others become 0 with another layout (solved)."""
+    """Write the figures of a run's results; all others become 0 with another layout (solved)."""
     report: dict[str, Any] = {}
     for result in results.values():
         report.update(result.report())
@@ -121,7 +121,7 @@ def edges_of(obj: Any) -> np.ndarray:
 
 
 def request_of(obj: Any, by_number: bool) -> CutRequest:
-    """What the project is asked for; by places where the target is to be divided anew."""
+    """Request for these cuts: by numbers of edges, or by coordinates where the target is divided anew."""
     if obj is None or not obj.Edges:
         return CutRequest()
     if by_number or not obj.Points:
@@ -158,7 +158,7 @@ class LayoutProxy(PartProxy):
 
 
 def write_layout(obj: Any, results: Mapping[str, Any], design: Any) -> None:
-    """Of a run's results and the design they ended with."""
+    """Write the layout of a run's results and of the design that they ended with."""
     import FreeCAD
 
     obj.Poses = np.ravel(design.T).tolist()

@@ -122,7 +122,7 @@ def status_of(obj: Any, refused: Optional[Finding] = None, running: bool = False
         state = RUNNING
     kit = body_changes(read_keys(obj, "KitKeys"), keys, values, of_files=True)
     risen = changes(RISEN, keys.records, values, ("design",))
-    # Whether the shape holds by settled forces is open after any edit.
+    # Any edit leaves open whether the shape holds by settled forces.
     settled = not (layout or verification or refused) and changes(SETTLED, records, values, ("design",)) == ()
     return Status(state, verdict, HOLDS[keys.holds if settled else None], tuple(reasons), parts,
                   _built(kit, layout),
@@ -229,5 +229,6 @@ def _part(there: bool, changed: list[Finding]) -> tuple[str, str]:
 
 
 def _built(changed: Optional[list[Finding]], before: Sequence[Finding] = ()) -> tuple[str, str]:
-    """Of what is made from a layout; changed: None where it is not there; before: changes of the layout."""
+    """State of what is made from a layout, and why. changed: None where it is not there; before: changes
+    of the layout."""
     return _part(changed is not None, [*before, *(changed or ())])

@@ -143,7 +143,8 @@ def _earlier(folder: Path, name: str) -> list[str]:
 
 
 def _last(folder: Path, take: Callable[[Any], _T], otherwise: _T) -> _T:
-    """What is taken of the last kit.json in a folder, or else where there is none or it is damaged."""
+    """Value that `take` reads from the last kit.json in a folder; `otherwise` where there is none or it is
+    damaged."""
     try:
         return take(json.loads((folder / KIT).read_text("utf-8")))
     except (CurveUpsError, OSError, ValueError, LookupError, TypeError, AttributeError):

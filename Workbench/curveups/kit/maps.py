@@ -218,7 +218,7 @@ def _grown(loop: np.ndarray, by: float) -> np.ndarray:
 
 
 def outlines_of(model: Any, kind: str) -> list[np.ndarray]:
-    """Of each body of a native PrintModel, seen from above: convex hulls, n x 2 mm."""
+    """Convex hull of each body of a native PrintModel as seen from above, n x 2, mm."""
     from scipy.spatial import ConvexHull  # which other commands would pay
 
     points, faces, body = model.mesh(kind)

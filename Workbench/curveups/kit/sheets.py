@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a kit has besides the print: the shop's page, and a list of all sheets, templates, rings and the
+"""Pages of a kit besides the print: the shop's page, and a list of all sheets, templates, rings and the
 former. files.py loads this module with its first kit, since it loads matplotlib."""
 
 from __future__ import annotations
