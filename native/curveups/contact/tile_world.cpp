@@ -290,11 +290,7 @@ double TileWorld::solve_elements(SolvedDesign& solved, double enough) {
   double mean = 0, off = 0;
   std::array<Wrenches, 2> missing;
   for (int s = 0; s < 2; ++s) {
-    if (!found[s]) {
-      throw SolverFailure(
-          std::string("the ") + (s == 0 ? "front" : "back") + " membrane found no equilibrium",
-          "use the tension-field model");
-    }
+    if (!found[s]) throw no_equilibrium(static_cast<Side>(s));
     const Wrenches pull = pull_of(solved.membranes[s], system.centres());
     missing[s] = pull - pull_of(*membranes[s], poses, tile_count);
     Motions felt = Motions::Zero(poses.size(), 6);

@@ -14,10 +14,12 @@ DesignForces::DesignForces(const DesignGeometry& geometry, const Parameters& par
   take_geometry(geometry);
   parallel_each(2, [&](int s) {
     const SolvedMembrane& m = membranes_[s];
-    equilibria_[s] = std::make_unique<MembraneEquilibrium>(
-        m.mesh, vertex_positions(m.mesh.weights, m.flat_corners), parameters.tau,
-        membrane_material(parameters, static_cast<Side>(s)));
-    equilibria_[s]->factorize(m.state.x);
+    equilibria_[s].reset(new MembraneEquilibrium(
+        membrane_equilibrium(m.mesh, vertex_positions(m.mesh.weights, m.flat_corners), parameters,
+                             static_cast<Side>(s))));
+    if (!equilibria_[s]->factorize(m.state.x)) {
+      throw no_equilibrium(static_cast<Side>(s));
+    }
   });
   solve_contacts();
 }
@@ -52,11 +54,7 @@ void DesignForces::solve_contacts() {
   for (Side side : {Side::front, Side::back}) {
     const SolvedMembrane& m = membrane(side);
     // Rounding alone may keep a membrane from the last digits of its tolerance.
-    if (!(m.state.solve.residual < 1e-6)) {
-      throw SolverFailure(std::string("the ") + (side == Side::front ? "front" : "back") +
-                              " membrane found no equilibrium",
-                          "use the tension-field model");
-    }
+    if (!(m.state.solve.residual < 1e-6)) throw no_equilibrium(side);
     add_wrenches(pin_corner_forces(m.mesh, m.state, geometry_->tiles.tile_count()),
                  m.actuated_corners, system_->centres(), loads_);
   }

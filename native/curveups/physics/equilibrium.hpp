@@ -47,7 +47,7 @@ class MembraneEquilibrium {
   // Factorizes the Hessian at x, for respond(). False where it is not finite.
   bool factorize(const Points3& x) {
     Points3 gradient;
-    return factorize(x, gradient);
+    return energy_.free_count() == 0 || factorize(x, gradient);
   }
   // How free vertices follow displacements of glued ones, by the last factorization: fills in the
   // free rows of each displacement. x: the equilibrium.

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/physics/membrane_solution.hpp"
 
-#include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 
 namespace curveups {
+
+SolverFailure no_equilibrium(Side side) {
+  return SolverFailure(std::string("the ") + (side == Side::front ? "front" : "back") +
+                           " membrane found no equilibrium",
+                       "use the tension-field model");
+}
 
 MembraneMeshOptions membrane_mesh_options(const Parameters& parameters) {
   MembraneMeshOptions options;

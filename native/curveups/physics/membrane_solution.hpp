@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "curveups/core/errors.hpp"
 #include "curveups/core/progress.hpp"
 #include "curveups/design/design.hpp"
 #include "curveups/physics/elastic_forces.hpp"
@@ -45,6 +46,8 @@ struct MembraneSolution {
   int free_vertices = 0;                 // of `mesh`
 };
 
+// Error of a side's membrane whose equilibrium was not found.
+SolverFailure no_equilibrium(Side side);
 MembraneMeshOptions membrane_mesh_options(const Parameters& parameters);
 MembraneMaterial membrane_material(const Parameters& parameters, Side side);
 // Equilibrium problem of one side's membrane on its mesh. flat: the mesh's vertices in the layout.

@@ -112,6 +112,16 @@ TEST(SettledDesign, IsTheSameWithAnyNumberOfThreads) {
   EXPECT_GT(found[0].iterations, 0);
 }
 
+TEST(SettledDesign, StartsFromASolutionThatIsKnownAsFromItsOwn) {
+  const Design design = dome();
+  const auto solved = std::make_shared<const SolvedDesign>(
+      solve_design(make_geometry(design.mesh, design.cuts, design.parameters), design, {}));
+  const SettledDesign own = settle_design(design, {}), given = settle_design(design, {}, solved);
+  EXPECT_GT(own.iterations, 0);
+  EXPECT_EQ(own.corners, given.corners);
+  EXPECT_EQ(own.contact_force, given.contact_force);
+}
+
 TEST(SettledDesign, AScanIsOfTheShapeThatSettled) {
   const SettledDesign found = settle_design(dome(), {});
   EXPECT_GT(found.scan.mean, 0);

@@ -200,6 +200,17 @@ TEST(Repair, StoppedItKeepsTheBestSoFar) {
   expect_constraints_kept(result.design);
 }
 
+TEST(Repair, StartsFromASolutionThatIsKnownAsFromItsOwn) {
+  const Design design = with_weak_contacts();
+  const VerificationReport report = verify_design(design, {});
+  ASSERT_TRUE(report.solved);
+  const RepairResult own = repair_design(design, {});
+  const RepairResult given = repair_design(design, {}, {}, most_repair_steps, report.solved);
+  EXPECT_GT(own.largest_move, 0);
+  EXPECT_EQ(own.design.T, given.design.T);
+  EXPECT_EQ(own.design.q, given.design.q);
+}
+
 TEST(Repair, OneThreadOrTwoGiveTheSameBits) {
   const Design design = with_weak_contacts();
   const int threads = thread_count();
