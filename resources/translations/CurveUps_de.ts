@@ -741,6 +741,10 @@
       <translation>Abspielen</translation>
     </message>
     <message>
+      <source>The run was stopped before the path</source>
+      <translation>Der Lauf wurde vor dem Weg angehalten</translation>
+    </message>
+    <message>
       <source>There is no path yet</source>
       <translation>Es gibt noch keinen Weg</translation>
     </message>
@@ -968,6 +972,14 @@
     <message>
       <source>Dihedral margin</source>
       <translation>Spielraum des Diederwinkels</translation>
+    </message>
+    <message>
+      <source>Distance of the built shape</source>
+      <translation>Abstand der gebauten Form</translation>
+    </message>
+    <message>
+      <source>Friction needed most</source>
+      <translation>Höchster Reibungsbedarf</translation>
     </message>
     <message>
       <source>Friction ratio</source>
@@ -1299,10 +1311,6 @@
     <message>
       <source>a vertex is not finite</source>
       <translation>ein Punkt ist nicht endlich</translation>
-    </message>
-    <message>
-      <source>actuate</source>
-      <translation>Weg in die Form</translation>
     </message>
     <message>
       <source>actuated tiles overlap by {value:.3g mm3} ({at})</source>
@@ -1785,10 +1793,6 @@
       <translation>eine Zielfläche angeben</translation>
     </message>
     <message>
-      <source>give another folder (-o)</source>
-      <translation>geben Sie einen anderen Ordner an (-o)</translation>
-    </message>
-    <message>
       <source>give another plane with open</source>
       <translation>mit open eine andere Ebene angeben</translation>
     </message>
@@ -2051,10 +2055,6 @@
     <message>
       <source>layout</source>
       <translation>Abwicklung</translation>
-    </message>
-    <message>
-      <source>leave --compensate out, or change the design</source>
-      <translation>lassen Sie --compensate weg, oder ändern Sie den Entwurf</translation>
     </message>
     <message>
       <source>leave out the cut there, or cut elsewhere</source>
@@ -2457,8 +2457,8 @@
       <translation>angedrückt und losgelassen kommen die Kacheln nicht zur Ruhe</translation>
     </message>
     <message>
-      <source>pressed over its former ({force_n:.3g N} a tile) and let go, it comes to rest {mean:.3g mm} from the design in the mean, {largest:.3g mm} at most; {open} of {count} contacts stay open</source>
-      <translation>über seine Form gedrückt ({force_n:.3g N} je Kachel) und losgelassen kommt es {mean:.3g mm} im Mittel, höchstens {largest:.3g mm} neben dem Entwurf zur Ruhe; {open} von {count} Kontakten bleiben offen</translation>
+      <source>pressed over its former ({force_n:.3g N} a tile) and let go, it comes to rest {mean:.3g mm} from the target in the mean, {largest:.3g mm} at most; {open} of {count} contacts stay open</source>
+      <translation>über die Form gedrückt ({force_n:.3g N} je Kachel) und losgelassen, kommt es im Mittel {mean:.3g mm} vom Ziel zur Ruhe, höchstens {largest:.3g mm}; {open} von {count} Kontakten bleiben offen</translation>
     </message>
     <message>
       <source>pressing</source>
@@ -2521,12 +2521,28 @@
       <translation>Scan ausrichten</translation>
     </message>
     <message>
-      <source>released, it comes to rest {mean:.3g mm} from the design in the mean, {largest:.3g mm} at most; {open} of {count} contacts stay open</source>
-      <translation>losgelassen kommt es {mean:.3g mm} im Mittel, höchstens {largest:.3g mm} neben dem Entwurf zur Ruhe; {open} von {count} Kontakten bleiben offen</translation>
+      <source>relaxing</source>
+      <translation>Entspannen</translation>
+    </message>
+    <message>
+      <source>released and shaken, the piece is expected to lie {mean:.2g mm} from the target on average ({low:.2g mm} to {high:.2g mm}), {largest:.2g mm} at most; all contacts close. Pressed over the former it comes within {pressed:.2g mm}</source>
+      <translation>losgelassen und gerüttelt, dürfte das Teil im Mittel {mean:.2g mm} vom Ziel liegen ({low:.2g mm} bis {high:.2g mm}), höchstens {largest:.2g mm}; alle Kontakte schließen. Über die Form gedrückt kommt es bis auf {pressed:.2g mm} heran</translation>
+    </message>
+    <message>
+      <source>released and shaken, the piece is expected to lie {mean:.2g mm} from the target on average ({low:.2g mm} to {high:.2g mm}), {largest:.2g mm} at most; {open} contacts stay open. Pressed over the former it comes within {pressed:.2g mm}</source>
+      <translation>losgelassen und gerüttelt, dürfte das Teil im Mittel {mean:.2g mm} vom Ziel liegen ({low:.2g mm} bis {high:.2g mm}), höchstens {largest:.2g mm}; {open} Kontakte bleiben offen. Über die Form gedrückt kommt es bis auf {pressed:.2g mm} heran</translation>
+    </message>
+    <message>
+      <source>released, it comes to rest {mean:.3g mm} from the target in the mean, {largest:.3g mm} at most; {open} of {count} contacts stay open</source>
+      <translation>losgelassen kommt es im Mittel {mean:.3g mm} vom Ziel zur Ruhe, höchstens {largest:.3g mm}; {open} von {count} Kontakten bleiben offen</translation>
     </message>
     <message>
       <source>released, the tiles do not come to rest</source>
       <translation>losgelassen kommen die Kacheln nicht zur Ruhe</translation>
+    </message>
+    <message>
+      <source>releasing</source>
+      <translation>Loslassen</translation>
     </message>
     <message>
       <source>remesh the surface</source>
@@ -2607,6 +2623,10 @@
     <message>
       <source>repair: fresh membranes</source>
       <translation>Reparatur: neue Membranen</translation>
+    </message>
+    <message>
+      <source>repair: friction needed</source>
+      <translation>Reparatur: Reibungsbedarf</translation>
     </message>
     <message>
       <source>repair: {0} weak points</source>
@@ -2709,8 +2729,8 @@
       <translation>Tragverhalten</translation>
     </message>
     <message>
-      <source>shaken ({taps} taps), it comes to rest {mean:.3g mm} from the design in the mean, {largest:.3g mm} at most; {open} of {count} contacts stay open</source>
-      <translation>geschüttelt ({taps} Stöße) kommt es {mean:.3g mm} im Mittel, höchstens {largest:.3g mm} neben dem Entwurf zur Ruhe; {open} von {count} Kontakten bleiben offen</translation>
+      <source>shaken ({taps} taps), it comes to rest {mean:.3g mm} from the target in the mean, {largest:.3g mm} at most; {open} of {count} contacts stay open</source>
+      <translation>gerüttelt ({taps} Stöße) kommt es im Mittel {mean:.3g mm} vom Ziel zur Ruhe, höchstens {largest:.3g mm}; {open} von {count} Kontakten bleiben offen</translation>
     </message>
     <message>
       <source>shaken, the tiles do not come to rest</source>
@@ -2807,10 +2827,6 @@
     <message>
       <source>the boundary touches itself in vertex {0}</source>
       <translation>der Rand berührt sich selbst im Punkt {0}</translation>
-    </message>
-    <message>
-      <source>the compensated design would replace it</source>
-      <translation>der ausgeglichene Entwurf würde sie ersetzen</translation>
     </message>
     <message>
       <source>the conformal map could not be computed</source>
@@ -3453,10 +3469,6 @@
       <translation>Wände stehen um {set:g mm} zurück für das, was Drucke wachsen; ein {printer} lässt Wände um {grows:g mm} wachsen: xy_compensation erhöhen</translation>
     </message>
     <message>
-      <source>where its tiles settle could not be found</source>
-      <translation>wo sich seine Kacheln setzen, war nicht zu finden</translation>
-    </message>
-    <message>
       <source>whether pushing forces within friction {mu:.3g} balance the tiles could not be shown{more}</source>
       <translation>Ob drückende Kräfte mit der Reibung {mu:.3g} die Kacheln im Gleichgewicht halten, ließ sich nicht zeigen{more}</translation>
     </message>
@@ -3479,6 +3491,14 @@
     <message>
       <source>with a friction coefficient of {mu:.3g} pushing forces are not known to reach f_min = {f_min:.3g N} where only bumps' tips touch</source>
       <translation>Mit dem Reibungskoeffizienten {mu:.3g} ist von drückenden Kräften nicht bekannt, dass sie f_min = {f_min:.3g N} erreichen, wo nur Noppenspitzen sich berühren</translation>
+    </message>
+    <message>
+      <source>without friction, its energy is least {mean:.3g mm} from the target in the mean, {largest:.3g mm} at most; {open} of {count} contacts are open there</source>
+      <translation>ohne Reibung ist seine Energie im Mittel {mean:.3g mm} vom Ziel am kleinsten, höchstens {largest:.3g mm}; {open} von {count} Kontakten sind dort offen</translation>
+    </message>
+    <message>
+      <source>without friction, the tiles do not come to rest</source>
+      <translation>ohne Reibung kommen die Kacheln nicht zur Ruhe</translation>
     </message>
     <message>
       <source>working</source>
@@ -3725,6 +3745,17 @@
     <message>
       <source>the steps of assembly</source>
       <translation>die Schritte des Zusammenbaus</translation>
+    </message>
+  </context>
+  <context>
+    <name>CurveUps_LittleFriction</name>
+    <message>
+      <source>Let It Need Little Friction</source>
+      <translation>Wenig Reibung brauchen lassen</translation>
+    </message>
+    <message>
+      <source>Move pins and tiles of the layout until the design needs as little friction as it can, so that the piece comes to rest near its target</source>
+      <translation>Stifte und Kacheln des Layouts bewegen, bis der Entwurf so wenig Reibung braucht wie möglich und das Teil nahe am Ziel zur Ruhe kommt</translation>
     </message>
   </context>
   <context>

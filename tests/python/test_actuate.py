@@ -3,7 +3,6 @@
 
 import dataclasses
 import json
-import os
 import re
 import sys
 from pathlib import Path
@@ -11,7 +10,6 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from scipy.spatial.transform import Rotation
 
 from schema import OPTIONAL, check
 
@@ -23,7 +21,7 @@ from curveups.report.exports import report
 from curveups.report.actuation import front_corners, open_tiles
 from curveups.report.html import WORDS
 from curveups.stages import RISEN, asked_by
-from curveups.stages.actuation import STATES, findings
+from curveups.stages.actuation import RELAXED, STATES, findings
 from curveups.stages.stage import Job
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "benchmarks"))
@@ -70,20 +68,27 @@ def test_the_answer_and_its_status_agree(risen):
 
 def test_what_it_says_is_on_the_terminal_with_its_tiles(risen):
     said = [str(one) for one in findings(risen.block)]
-    assert [one["what"] for one in risen.answer["findings"]] == said and len(said) == 3
+    assert [one["what"] for one in risen.answer["findings"]] == said and len(said) == 5
     assert all(f"small-cap: {one}" in risen.ran.err for one in said)
+    assert said[0].startswith("released and shaken, the piece is expected to lie ")
     tiles = {tile for pair in risen.block["by_itself"]["open_contacts"] for tile in pair}
-    assert set(risen.answer["findings"][0]["tiles"]) == tiles
+    assert set(risen.answer["findings"][2]["tiles"]) == tiles
 
 
 def block_of(**changed):
     state = {"converged": True, "mean_mm": 1.5, "max_mm": 4.25, "open_contacts": [[0, 1], [3, 5]]}
-    return {"contacts": 9, "stopped": False, "by_itself": state, "shaken": {**state, "taps": 7},
-            "pressed": {**state, "force_n": 2.0, "open_contacts": []}, **changed}
+    return {"contacts": 9, "stopped": False, "relaxed": {**state, "mean_mm": 1.25}, "by_itself": state,
+            "shaken": {**state, "taps": 7}, "pressed": {**state, "force_n": 2.0, "open_contacts": []},
+            "spread": {"mean_mm": [1.25, 1.75], "varied": ["friction"]}, **changed}
 
 
 def test_each_state_has_its_words():
-    by_itself, shaken, pressed = findings(block_of())
+    expected, relaxed, by_itself, shaken, pressed = findings(block_of())
+    assert "1.5 mm from the target on average (1.2 mm to 1.8 mm)" in str(expected), str(expected)
+    assert "2 contacts stay open" in str(expected) and expected.tiles == (0, 1, 3, 5)
+    closed, *_ = findings(block_of(shaken={**block_of()["shaken"], "open_contacts": []}))
+    assert "all contacts close. Pressed over the former it comes within 1.5 mm" in str(closed)
+    assert "1.25 mm from the target" in str(relaxed)
     assert by_itself.tiles == (0, 1, 3, 5) and "1.5 mm" in str(by_itself) and "2 of 9" in str(by_itself)
     assert "7 taps" in str(shaken) and "4.25 mm at most" in str(shaken)
     assert "2 N a tile" in str(pressed) and "0 of 9" in str(pressed) and pressed.tiles == ()
@@ -100,9 +105,10 @@ def test_a_state_without_rest_is_named_and_warned_of(project, name):
 
 
 def test_a_path_that_was_stopped_is_not_known(project):
-    block = block_of(stopped=True, shaken=None, pressed=None)
+    block = block_of(stopped=True, shaken=None, pressed=None, spread={"mean_mm": None, "varied": []})
     stopped = dataclasses.replace(project.latest(RISEN), block=block)
-    assert [one.kind for one in stopped.findings()] == ["actuation_by_itself", "actuation_stopped"]
+    kinds = [one.kind for one in stopped.findings()]
+    assert kinds == ["actuation_relaxed", "actuation_by_itself", "actuation_stopped"]
     assert [one.kind for one in stopped.warnings()] == ["actuation_stopped"] and not stopped.is_known
 
 
@@ -118,8 +124,8 @@ def test_frames_lead_from_the_layout_through_all_states(risen):
     assert corners[:, :, 2] == pytest.approx(0, abs=1e-6)
     assert first["stretch"] == pytest.approx(risen.design.parameters.get("tau"))
     loads = [frame["load"] for frame in risen.frames]
-    assert list(dict.fromkeys(loads)) == list(STATES)
-    for name in STATES:
+    assert [RELAXED, *dict.fromkeys(loads)] == list(STATES)
+    for name in STATES[1:]:
         last = risen.block[name]["last_frame"]
         assert last == len(loads) - 1 - loads[::-1].index(name)
         assert risen.frames[last]["energy"] == pytest.approx(risen.block[name]["energy_n_mm"])
@@ -172,47 +178,18 @@ def test_the_step_file_has_the_tiles_where_shaking_ends(risen):
     assert (near < 1e-3).sum() > 12
 
 
-@pytest.mark.all
-def test_a_compensated_design_settles_nearer_to_the_target(curveups, tmp_path):
-    curveups("design", "saddle", "-o", tmp_path / "made", "--no-solids", "--set", "L=14", "settle=off")
-    source = tmp_path / "made" / "design.json"
-    ran = curveups("actuate", source, "-o", tmp_path, "--compensate", "1")
-    assert "beside the target in the mean" in ran.err, ran.err
-    answer = json.loads((tmp_path / "actuation.json").read_text("utf-8"))
-    block, given, found = answer["compensation"], *(native.read_design(path.read_text("utf-8"))
-                                                    for path in (source, tmp_path / "design.json"))
-    assert block["kept_round"] == 1 and block["mean_mm"][0] > 0.1
-    assert block["mean_mm"][1] < 0.5 * block["mean_mm"][0]
-    assert "design.json" in answer["files"]
-    V, F = found.target
-    assert np.array_equal(V, (given.target or (given.V, given.F))[0]) and np.array_equal(F, given.F)
-    # What the answer says, computed anew: distances of corners after the motion that fits them best.
-    settled = np.asarray(native.settle_design(found).corners).reshape(-1, 3)
-    wanted = V[F].reshape(-1, 3)
-    a, b = settled - settled.mean(0), wanted - wanted.mean(0)
-    turned = Rotation.align_vectors(b, a)[0].apply(a)
-    assert np.linalg.norm(turned - b, axis=1).mean() == pytest.approx(block["mean_mm"][1], abs=1e-6)
-
-
-def test_what_can_not_be_compensated_leaves_everything_as_it_was(curveups, printed, tmp_path):
-    source = tmp_path / "design.json"
-    source.write_bytes((printed.folder / "design.json").read_bytes())
-    ran = curveups("actuate", source, "-o", tmp_path, "--compensate", "1")
-    assert ran.status == 2 and "would replace it" in ran.err and os.listdir(tmp_path) == ["design.json"]
-    assert source.read_bytes() == (printed.folder / "design.json").read_bytes()
-    for wrong in ("0", "10", "x", "1.5"):
-        ran = curveups("actuate", source, "-o", tmp_path / "o", "--compensate", wrong)
-        assert ran.status == 2 and "number of rounds from 1 to 9" in ran.err
-
-
 def test_the_command_shows_what_the_stage_finds(risen, project):
     assert asked_by("actuate") == (RISEN,)
     assert RISEN not in asked_by("check", "cuts", "solve", "settle", "verify", "build", "print")
     piece = project.latest(RISEN)
     assert json.loads(json.dumps(piece.block)) == risen.block
     assert np.array([frame["poses"] for frame in risen.frames]) == pytest.approx(piece.frames, abs=1e-9)
-    assert piece.built == risen.block["shaken"]["last_frame"]
-    pairs = risen.block["pressed"]["open_contacts"]
+    assert piece.built == "shaken"
+    assert (piece.tiles("shaken") == piece.frame(risen.block["shaken"]["last_frame"])).all()
+    for name, values in zip(STATES, piece.deviations):
+        assert values.mean() == pytest.approx(piece.deviation(name).mean())
+        assert values.mean() == pytest.approx(risen.block[name]["mean_mm"])
+    pairs = risen.block["shaken"]["open_contacts"]
     assert set(piece.open_tiles) == {tile for pair in pairs for tile in pair}
 
 
@@ -258,14 +235,15 @@ def test_the_report_plays_the_path_where_there_is_one(project, tmp_path):
 def test_a_row_of_the_benchmark_fits_the_table_of_the_page(project, tmp_path):
     block, page = project.latest(RISEN).block, tmp_path / "actuation.md"
     page.write_text((actuated.DOCS / "actuation.md").read_text("utf-8"), "utf-8")
-    row = {**block, "name": "small, no bumps", "tiles": 24, "processor": 1.25,
-           "pressed": {**block["pressed"], "converged": False}}
+    row = {**block, "name": "small, little friction", "tiles": 24, "friction_needed": 0.125,
+           "seconds": (1.25, 2.5), "pressed": {**block["pressed"], "converged": False}}
     actuated.renew([row], page, {"actuation": actuated.cells})
     lines = page.read_text("utf-8").splitlines()
-    head = next(line for line in lines if line.startswith("| design | tiles | contacts |"))
+    head = next(line for line in lines if line.startswith("| design | tiles | needs |"))
     cells, = (line.split("|") for line in lines if line.startswith("| small, "))
-    assert len(cells) == len(head.split("|")) and cells[6].strip() == "no rest"
-    assert cells[4].strip().startswith(f"{block['by_itself']['mean_mm']:.2f}, ")
+    assert len(cells) == len(head.split("|")) and cells[7].strip() == "no rest"
+    assert cells[3].strip() == "0.12"
+    assert cells[5].strip().startswith(f"{block['by_itself']['mean_mm']:.2f}, ")
 
 
 def stopped_after(count):
@@ -273,7 +251,7 @@ def stopped_after(count):
     seen = set()  # the same may be said again where time goes by
 
     def progress(what, fraction):
-        if what == "actuate":
+        if what == "releasing":
             seen.add(fraction)
         return len(seen) <= count
 
@@ -284,9 +262,10 @@ def test_a_stop_keeps_the_path_so_far(risen):
     project = Project.of_design(risen.design)
     piece = project.run(asked_by("actuate"), stopped_after(6))[RISEN]
     assert piece.stopped and 1 <= len(piece.frames) < len(risen.frames)
-    assert [one.kind for one in piece.findings()] == ["actuation_stopped"]
+    assert [one.kind for one in piece.findings()] == ["actuation_relaxed", "actuation_stopped"]
+    assert piece.built == RELAXED and len(piece.deviations) == 1
     project.forget_stopped()
     assert project.latest(RISEN) is None
     with pytest.raises(Stopped):
-        project.run(asked_by("actuate"), stopped_after(0))
+        project.run(asked_by("actuate"), Job(lambda what, fraction: what != "relaxing"))
     assert project.latest(RISEN) is None

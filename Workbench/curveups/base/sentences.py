@@ -27,7 +27,7 @@ PROGRESS = (
     "dividing into 1 piece", "looking for cuts", "making room for pins", "checking tiles", "trying {0}",
     "layout", "restoring the layout", "measuring deviation", "membrane", "front membrane", "back membrane",
     "meshing membranes", "friction and unilateral contacts", "repair: fresh membranes",
-    "repair: {0} weak points", "settle", "actuate", "shaking",
+    "repair: {0} weak points", "repair: friction needed", "settle", "relaxing", "releasing", "shaking",
     "pressing", "process window", "building bodies", "building tiles",
     "placing anchors",
     "building the support", "dividing the support's underside", "dividing the support's lid",
@@ -93,13 +93,24 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "settled_restless": "whether the shape holds is not known: the tiles do not come to rest",
     "settle_failed": "whether the shape holds is not known: {error}",
     # From flat to shape.
-    "actuation_by_itself": "released, it comes to rest {mean:.3g mm} from the design in the mean, "
+    "actuation_expected.closed": "released and shaken, the piece is expected to lie {mean:.2g mm} from the "
+                                 "target on average ({low:.2g mm} to {high:.2g mm}), {largest:.2g mm} at "
+                                 "most; all contacts close. Pressed over the former it comes within "
+                                 "{pressed:.2g mm}",
+    "actuation_expected.open": "released and shaken, the piece is expected to lie {mean:.2g mm} from the "
+                               "target on average ({low:.2g mm} to {high:.2g mm}), {largest:.2g mm} at most; "
+                               "{open} contacts stay open. Pressed over the former it comes within "
+                               "{pressed:.2g mm}",
+    "actuation_relaxed": "without friction, its energy is least {mean:.3g mm} from the target in the mean, "
+                         "{largest:.3g mm} at most; {open} of {count} contacts are open there",
+    "actuation_by_itself": "released, it comes to rest {mean:.3g mm} from the target in the mean, "
                            "{largest:.3g mm} at most; {open} of {count} contacts stay open",
-    "actuation_shaken": "shaken ({taps} taps), it comes to rest {mean:.3g mm} from the design in the mean, "
+    "actuation_shaken": "shaken ({taps} taps), it comes to rest {mean:.3g mm} from the target in the mean, "
                         "{largest:.3g mm} at most; {open} of {count} contacts stay open",
     "actuation_pressed": "pressed over its former ({force_n:.3g N} a tile) and let go, it comes to rest "
-                         "{mean:.3g mm} from the design in the mean, {largest:.3g mm} at most; {open} of "
+                         "{mean:.3g mm} from the target in the mean, {largest:.3g mm} at most; {open} of "
                          "{count} contacts stay open",
+    "actuation_restless.relaxed": "without friction, the tiles do not come to rest",
     "actuation_restless.by_itself": "released, the tiles do not come to rest",
     "actuation_restless.shaken": "shaken, the tiles do not come to rest",
     "actuation_restless.pressed": "pressed and let go, the tiles do not come to rest",

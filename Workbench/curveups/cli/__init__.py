@@ -39,6 +39,9 @@ def make_parser() -> argparse.ArgumentParser:
     _cuts_argument(design)
     design.add_argument("--auto-cuts", type=_number_of("cuts", 0, 100), default=0, metavar="N",
                         help="make up to N suggested cuts; the first opens a closed target")
+    design.add_argument("--self-shaping", action="store_true",
+                        help="move pins and tiles until the design needs as little friction as it can, so "
+                             "that the piece comes to rest near the target")
     design.add_argument("--no-remesh", action="store_true", help="take the mesh as it is")
     design.add_argument("--no-solids", action="store_true", help="write only design.json and the reports")
 
@@ -81,9 +84,6 @@ def make_parser() -> argparse.ArgumentParser:
     actuate = _design_command(commands, "actuate", "compute the shape of the built piece: released from "
                               "flat, shaken, pressed over its former")
     _output_argument(actuate)
-    actuate.add_argument("--compensate", type=_number_of("rounds", 1, 9), default=0, metavar="N",
-                         help="first move the surface against the shape in which it settles and solve again, "
-                              "N times, and write the best as design.json")
     _set_argument(actuate)
     return parser
 

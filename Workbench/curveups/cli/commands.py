@@ -17,7 +17,6 @@ from ..base.profiles import MATERIALS, NOTES, of_material, profile_path
 from ..base.progress import Reporter
 from ..features.document_file import write_document
 from ..kit import compare as comparing, files as kit_files
-from ..project.compensation import compensate
 from ..project.project import Project, Results
 from ..project.size_choice import AUTOMATIC, choose
 from ..report import actuation, check as check_report
@@ -160,20 +159,9 @@ def actuate(options: Any, reporter: Reporter) -> int:
     require_folder_name(options.output)
     project, _ = _design_project(options, reporter, ("rebuild", "files", "verify"))
     job = Job(reporter)
-    compensation = None
-    if options.compensate:
-        if (written := options.output / "design.json").exists() and written.samefile(options.design):
-            raise CurveUpsError("the compensated design would replace it", str(options.design),
-                                "give another folder (-o)")
-        with translated(str(options.design)):
-            given = project.latest("design").design.with_parameters(project.parameters)
-            compensation = compensate(given, options.compensate, job)
-        project = Project.of_design(compensation.design, str(options.design))
     results = project.run(("bodies", *asked_by("actuate")), job, strict=True)
     with translated(str(options.design)):
-        stopped = actuation.write_actuation(results, options.output, job, compensation)
-    if compensation:
-        reporter.say(f"{project.name}: {compensation.said}")
+        stopped = actuation.write_actuation(results, options.output, job)
     for one in results[RISEN].findings():
         reporter.say(f"{project.name}: {one}")
     if stopped:
@@ -218,7 +206,10 @@ def _answer(line: str) -> None:
 
 def _finish(results: Results, folder: Path | None, reporter: Reporter, stopped: bool) -> int:
     verdict = results.verdict
-    reporter.say(f"{results.name}: {len(results['design'].design.F)} tiles, {verdict.word}")
+    settled = results.get("settle")
+    needed = settled.friction_needed.get("coefficient") if settled else None
+    friction = "" if needed is None else f", needs friction {needed:.2g}"
+    reporter.say(f"{results.name}: {len(results['design'].design.F)} tiles, {verdict.word}{friction}")
     for reason in verdict.reasons:
         reporter.say(f"  {reason}")
     for first, others in first_of_each_kind(results.warnings()):  # report.json and the page have all
@@ -258,6 +249,8 @@ def _project(options: Any, cuts: CutRequest, reporter: Reporter, remesh: bool = 
                           for name, value in read_json_object(path).items() if name not in NOTES]
                          for paths in (profile, options.config))
     given += [(name, text, f"--set {name}") for name, text in _settings(options.settings)]
+    if getattr(options, "self_shaping", False):
+        given.append(("self_shaping", "on", "--self-shaping"))
     for name, value, where in (*_of_printer([*of_profile, *given]), *of_profile, *_with_materials(given)):
         put(name, value, where)
     will_be_cut = bool(cuts) or cuts.suggested > 0 or values.get("pieces") != "1"

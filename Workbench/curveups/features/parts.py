@@ -33,6 +33,8 @@ FIGURES = (
     ("SettledDeviation", "Distance", "mm", "Mean distance of the settled shape from the design",
      "settled.scan.mean_mm"),
     ("LargestSlip", "Distance", "mm", "Largest slip between tiles that settle", "settled.largest_slip_mm"),
+    ("FrictionNeeded", "Float", "", "Least coefficient of friction at which forces in balance exist",
+     "friction_needed.coefficient"),
     ("HoldingFriction", "Float", "", "Least coefficient of friction at which the shape holds",
      "settled.holding_friction"),
     ("TileVolume", "Volume", "cm3", "Volume of the tiles", ""),

@@ -9,7 +9,7 @@ import json
 from html import escape
 from importlib.resources import files
 from pathlib import Path
-from typing import Any, Mapping, Optional
+from typing import Any, Mapping
 
 import numpy as np
 
@@ -17,7 +17,6 @@ from .. import __version__
 from ..base.errors import Stopped
 from ..base.native import native
 from ..base.output import Folder
-from ..project.compensation import Compensation
 from ..project.project import Results
 from ..stages import RISEN
 from ..stages.actuation import DRAG, Actuation, moved
@@ -62,7 +61,7 @@ def open_tiles(found: Actuation) -> dict[int, list[bool]]:
     for state in found.states.values():
         of_tile = np.zeros(len(found.design.F), bool)
         of_tile[[tile for pair in state["open_contacts"] for tile in pair]] = True
-        if state["converged"] and of_tile.any():
+        if state["converged"] and of_tile.any() and "last_frame" in state:
             marks[state["last_frame"]] = of_tile.tolist()
     return marks
 
@@ -81,28 +80,23 @@ FRAMES_FORMAT, FRAMES_VERSION = "curveups-frames", 1
 ANSWER, FRAMES, FOLD, PAGE = "actuation.json", "frames.json", "frames.fold", "actuation.html"
 
 
-def write_actuation(results: Results, path: Path, job: Job,
-                    compensation: Optional[Compensation] = None) -> bool:
+def write_actuation(results: Results, path: Path, job: Job) -> bool:
     """Writes all files of a run that made the path and the bodies; whether that, or the path before it, was
-    stopped. actuation.json goes first and comes last. compensation: what the design comes from, where it goes
-    into a design.json as well."""
+    stopped. actuation.json goes first and comes last."""
     piece, step, stopped = results[RISEN], f"{results.name}-built.step", job.stopped
     with Folder(path) as folder:
         folder.remove(ANSWER, FRAMES, FOLD, PAGE, step)
         folder.write_text(FRAMES, _compact(_frames(piece)))
         folder.write_text(FOLD, _compact(_fold(piece, results.name)))
         folder.write_text(PAGE, _page(piece, results.name))
-        if compensation:
-            folder.write_text("design.json", native.write_design(results.design))
         try:
-            write_frame(results["bodies"].model, piece.frame(piece.built), folder, step, job)
+            write_frame(results["bodies"].model, piece.tiles(piece.built), folder, step, job)
         except (Stopped, native.Cancelled):
             stopped = True
         folder.write_text(ANSWER, to_text({
             "format": FORMAT, "version": VERSION, "name": results.name,
             "status": "stopped" if stopped else "complete", "tiles": len(piece.design.F),
             "actuation": piece.block, "findings": [one.entry() for one in piece.findings()],
-            **({"compensation": compensation.report()} if compensation else {}),
             "software": {"curveups": __version__}, "files": dict(folder.files)}))
     return stopped
 
@@ -153,5 +147,16 @@ def _page(piece: Actuation, name: str) -> str:
     return html.page(name, [
         f"<h1>{escape(name)}: from flat to shape</h1>",
         *(f"<p>{escape(str(one))}</p>" for one in piece.findings()),
-        html.picture(moving_view(piece), DRAG),
-        "<h2>Where it comes to rest</h2>", states_table(piece.block)])
+        *([html.picture(moving_view(piece), DRAG)] if len(piece.time) else []),
+        "<h2>Where it comes to rest</h2>", states_table(piece.block),  *_maps(piece)])
+
+
+def _maps(piece: Actuation) -> list[str]:
+    """Tiles of each state, coloured by their distances from the target, on one scale."""
+    parts = []
+    for state in piece.states:
+        corners = front_corners(piece.design, piece.tiles(state)).reshape(-1, 3)
+        said = f"{WORDS[state].capitalize()}: distance of each tile from the target."
+        parts += html.pictured("distance", said, V=corners, F=np.arange(len(corners)).reshape(-1, 3),
+                               values=piece.deviation(state), most=float(piece.deviations.max()))
+    return parts

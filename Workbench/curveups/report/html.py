@@ -39,7 +39,8 @@ Drawn = Union[bytes, str]  # PNG, or HTML of what moves
 # Modules and their functions. matplotlib is loaded where the first picture is drawn.
 _VIEWS = {"flat": ("pictures", "flat_layout"), "actuated": ("pictures", "actuated_view"),
           "cuts": ("pictures", "cut_view"), "stretch": ("pictures", "stretch_view"),
-          "movement": ("pictures", "movement_view"), "blocked": ("pictures", "blocked_view"),
+          "movement": ("pictures", "movement_view"),
+          "distance": ("pictures", "distance_view"), "blocked": ("pictures", "blocked_view"),
           "moving": ("actuation", "moving_view"), "print": ("print_pictures", "print_view")}
 
 
@@ -304,7 +305,8 @@ def _pair(tiles: Sequence[int]) -> str:
     return "–".join(tile_name(tile) for tile in tiles)
 
 
-WORDS = {"by_itself": "released", "shaken": "shaken", "pressed": "pressed and let go"}
+WORDS = {"relaxed": "without friction",
+         "by_itself": "released", "shaken": "shaken", "pressed": "pressed and let go"}
 
 
 def states_table(block: Mapping[str, Any]) -> str:

@@ -85,9 +85,13 @@ def blocked_view(V: np.ndarray, F: np.ndarray, marks: np.ndarray) -> bytes:
 def movement_view(V: np.ndarray, F: np.ndarray, values: np.ndarray) -> bytes:
     """A target from two sides, its tiles coloured by the largest of their corners' values (mm)."""
     of_tile = np.asarray(values)[F].max(axis=1)
-    scale = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(0, max(float(of_tile.max()), 1e-9)),
-                                         "viridis")
-    figure, height = two_sides(V, F, scale.to_rgba(of_tile)[:, :3], 0.6)
+    return distance_view(V, F, of_tile, float(of_tile.max()))
+
+
+def distance_view(V: np.ndarray, F: np.ndarray, values: np.ndarray, most: float) -> bytes:
+    """Tiles from two sides, coloured by their values (M, mm) on a scale from 0 to `most`."""
+    scale = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(0, max(most, 1e-9)), "viridis")
+    figure, height = two_sides(V, F, scale.to_rgba(values)[:, :3], 0.6)
     figure.colorbar(scale, cax=figure.add_axes([0.3, 0.4 / height, 0.4, 0.12 / height]),
                     orientation="horizontal", label="mm")
     return _png(figure, scale=True)

@@ -49,7 +49,9 @@ class Repair(Result):
 def _run(inputs: Inputs, job: Job) -> Repair:
     before, verified = inputs["layout"].design, inputs["verification of the layout"]
     known = verified.verification
-    if known.valid or known.note or known.failure or not inputs.parameters.get("run_repair"):
+    asked = inputs.parameters.get("run_repair")
+    does = known.valid and not inputs.parameters.get("self_shaping")
+    if does or known.note or known.failure or not asked:
         return Repair(before, verified.verdict)
     design = before.with_parameters(inputs.parameters)
     found = native.repair_design(design, job, job.listener("repair"), known.solved)

@@ -42,6 +42,7 @@ class Settled(Result):
     block: Mapping[str, Any] = field(default_factory=dict)  # as report.json has it
     failure: Optional[Finding] = None  # why it does not hold, or why that is not known though it was wanted
     margin: Mapping[str, Any] = field(default_factory=dict)
+    friction_needed: Mapping[str, Any] = field(default_factory=dict)
     beyond: tuple[Finding, ...] = ()   # why the margin is not met
     window: tuple[Range, ...] = ()
     note: Optional[Finding] = None
@@ -52,8 +53,8 @@ class Settled(Result):
 
     def report(self) -> dict[str, Any]:
         window = {"window": [one.report() for one in self.window]} if self.window else {}
-        return {"holds": self.holds, **({"settled": self.block, "margin": self.margin} if self.block else {}),
-                **window}
+        blocks = {"settled": self.block, "margin": self.margin, "friction_needed": self.friction_needed}
+        return {"holds": self.holds, **(blocks if self.block else {}), **window}
 
     def reasons(self) -> Sequence[Finding]:
         return self.beyond if self._required else ()
@@ -93,7 +94,9 @@ def _run(inputs: Inputs, job: Job) -> Settled:
     beyond = [Finding.of(one) for one in margin.failures if one and one.kind != "margin.unknown"]
     block = {"mode": margin.mode, "mismatch_percent": margin.mismatch,
              "friction_coefficient": margin.friction_coefficient, "met": margin.met}
-    return Settled(found.holds, found.block, failure, block, tuple(beyond), tuple(map(_range, found.window)),
+    needed = {"coefficient": found.friction_needed.coefficient, "tiles": list(found.friction_needed.tiles)}
+    return Settled(found.holds, found.block, failure, block, needed, tuple(beyond),
+                   tuple(map(_range, found.window)),
                    _open(inputs, Finding("margin.unknown")) if margin.met is None else None,
                    found.iterations, design, np.asarray(found.deviation), np.asarray(found.contact_force))
 

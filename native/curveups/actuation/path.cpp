@@ -21,13 +21,19 @@ constexpr double contact_width = 0.25;
 constexpr int stalled_steps = 60;
 constexpr double stalled_part = 1e-4;
 
-constexpr int most_taps = 40, steps_a_tap = 12;
+// Relaxing: steps until it gives up, how often finite elements are solved, and by how much they may
+// then differ from what the tiles feel.
+constexpr int relaxing_steps = 60, most_rounds = 3;
+constexpr double element_tolerance = 0.01;
+
+// Of a tap: steps without friction and steps with it.
+constexpr int most_taps = 40, free_steps = 6, held_steps = 3;
 constexpr double weak_tap = 1e-4;       // part of the energy
 constexpr int pressed_steps = 40;       // without friction, and as many with it
 constexpr double press_of_normal = 4;   // force on a tile over the contacts' mean normal force
 constexpr double former_reach = 0.013;  // over L: within it the force fades
 constexpr int few_frames = 15;          // of shaking and of pressing
-constexpr const char* doing[] = {"actuate", "shaking", "pressing"};  // by load case
+constexpr const char* doing[] = {"relaxing", "releasing", "shaking", "pressing"};  // by load case
 
 Pace pace_of(const Parameters& parameters) {
   Pace pace;
@@ -94,10 +100,13 @@ class Path::Former : public MotionEnergy {
   }
 };
 
-Path::Path(const TileBodies& bodies, TileWorld& world, double friction, const PathOptions& options)
+Path::Path(const TileBodies& bodies, TileWorld& world, const TriangleMesh& target, double friction,
+           const PathOptions& options)
     : bodies_(bodies),
       tiles_(bodies.geometry.tiles),
+      piece_(world),
       world_(*world.world),
+      target_(target),
       options_(options),
       friction_(friction),
       centres_(tile_centres(tiles_)),
@@ -107,7 +116,6 @@ Path::Path(const TileBodies& bodies, TileWorld& world, double friction, const Pa
   former->reach = former_reach * bodies.parameters.L;
   former_ = former.get();
   world_.add(std::move(former));
-  world_.set_poses(piece_poses(bodies, flat_tiles(bodies)));
   const std::vector<int> piece = pieces_of_faces(tiles_.topology, tiles_.cut);
   for (int i = 0; i < tiles_.tile_count(); ++i) {
     if (piece[i] >= static_cast<int>(pieces_.size())) pieces_.resize(piece[i] + 1);
@@ -120,7 +128,31 @@ Poses Path::tile_poses() const {
   return {all.begin(), all.begin() + tiles_.tile_count()};
 }
 
+RestState Path::relax(SolvedDesign* solved) {
+  state_ = {};
+  world_.set_friction(0);
+  world_.begin_path(Pace::relaxing(world_.pace()));
+  for (int round = 0; round < most_rounds; ++round) {
+    const StepReport last = world_.settle(relaxing_steps, [&](const StepReport& step) {
+      ++state_.steps;
+      state_.iterations += step.iterations;
+      state_.factorizations += step.factorizations;
+      checkpoint("relaxing", state_.steps / (state_.steps + 20.0) / 4);
+      return false;
+    });
+    state_.at_rest = last.at_rest;
+    if (!solved || !state_.at_rest) break;
+    state_.element_change = piece_.solve_elements(*solved, element_tolerance);
+    if (state_.element_change <= element_tolerance) break;
+  }
+  state_.energy = world_.energy();
+  describe();
+  return state_;
+}
+
 RestState Path::release() {
+  for (PairLoads* corrections : piece_.corrections) corrections->loads.clear();
+  world_.set_poses(piece_poses(bodies_, flat_tiles(bodies_)));
   begin(LoadCase::released);
   world_.set_friction(friction_);
   run(options_.max_steps);
@@ -132,9 +164,9 @@ RestState Path::shake() {
   for (int weak = 0; state_.taps < most_taps && weak < 2; ++state_.taps) {
     const double before = now_.energy;
     world_.set_friction(0);
-    step();
+    run(free_steps);
     world_.set_friction(friction_);
-    run(steps_a_tap);
+    run(held_steps);
     weak = before - now_.energy < weak_tap * std::abs(before) ? weak + 1 : 0;
   }
   run(options_.max_steps);
@@ -202,7 +234,7 @@ bool Path::run(int most_steps) {
     energies.push_back(now_.energy);
     if (step()) return true;
     const int load = static_cast<int>(now_.load);
-    checkpoint(doing[load], (load + state_.steps / (state_.steps + 50.0)) / 3);
+    checkpoint(doing[load], (load + state_.steps / (state_.steps + 50.0)) / 4);
   }
   return false;
 }
@@ -221,15 +253,23 @@ void Path::fit_former() {
   }
 }
 
-// Describes where the load case has led.
+// Ends a load case of the path.
 RestState Path::finish(int most_frames) {
-  const Finishing finishing;
   thin_out(frames_, first_frame_, 2 * most_frames);
   state_.last_frame = static_cast<int>(frames_.size()) - 1;
   state_.energy = now_.energy;
+  describe();
+  return state_;
+}
+
+// What the piece is like where it is.
+void Path::describe() {
+  const Finishing finishing;
+  state_.tiles = frame_rows(tiles_, tile_poses());
   const TriangleMesh surface = fitted_surface(tiles_, centres_, world_.poses());
-  const ClosestPoints target(tiles_.mesh);
-  state_.scan = describe_scan(scan_distances(surface, target), surface, tiles_.mesh);
+  const Eigen::VectorXd far = scan_distances(surface, ClosestPoints(target_));
+  state_.scan = describe_scan(far, surface, target_);
+  state_.deviation = triangle_means(far);
   std::map<std::array<int, 2>, double> contacts;
   for (const Contact& contact : tiles_.contacts) contacts[contact.tile] = 0;
   for (const TouchForce& force : world_.forces()) {
@@ -240,7 +280,6 @@ RestState Path::finish(int most_frames) {
     if (push == 0) state_.open_contacts.push_back(pair);
     state_.push += push / static_cast<double>(contacts.size());
   }
-  return state_;
 }
 
 }  // namespace curveups

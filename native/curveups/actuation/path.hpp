@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The path of a piece from flat: released, then shaken, then pressed over its former and let go.
+// Where a piece comes to rest: relaxed from its target without friction; and on the path from flat,
+// released, then shaken, then pressed over its former and let go.
 //
-// One integrator moves the tiles under all three loads. The motion is overdamped, as membranes are
-// slow and tiles light: neighbours resist one another with a drag of 1 N s / mm (contact/drag), and
-// friction follows Coulomb's law (ContactWorld::advance). Stored energy falls by what drag and
-// friction take. All touching walls are equally stiff, so that corners do not sink into one
-// another.
+// One integrator (contact/contact_world) moves the tiles under all loads. Relaxed, each step is
+// solved to its end: the minimum of energy is all that counts. On the path the motion is
+// overdamped, as membranes are slow and tiles light: neighbours resist one another with a drag of
+// 1 N s / mm (contact/drag), and friction follows Coulomb's law. Stored energy falls by what drag
+// and friction take. All touching walls are equally stiff on the path, so that corners do not sink
+// into one another.
 #pragma once
 
 #include "curveups/actuation/flat_piece.hpp"
@@ -13,13 +15,14 @@
 
 namespace curveups {
 
-enum class LoadCase { released, shaken, pressed };
+enum class LoadCase { relaxed, released, shaken, pressed };
 
 struct PathOptions {
   int max_steps = 1000;  // of a load case, once nothing but friction and membranes act
   int most_frames = 60;  // about, of the release, evenly by how far tiles move, with both ends
 };
 
+// Of the path.
 struct PathFrame {
   LoadCase load = LoadCase::released;
   double time = 0;      // s, under the drag
@@ -32,27 +35,39 @@ struct PathFrame {
 
 // End of a load case.
 struct RestState {
-  bool at_rest = false;                           // all forces balance
-  double energy = 0;                              // N mm
-  VirtualScan scan;                               // of the front surface, beside the design
+  bool at_rest = false;       // all forces balance
+  double energy = 0;          // N mm
+  VirtualScan scan;           // of the front surface, beside the target
+  Eigen::VectorXd deviation;  // per tile, mean of its samples, mm
+  FrameRows tiles;
   std::vector<std::array<int, 2>> open_contacts;  // pairs of tiles whose contact carries nothing
   double push = 0;                                // mean normal force of the contacts, N
-  int last_frame = 0;
+  int last_frame = 0;                             // of the path
   int steps = 0, iterations = 0, factorizations = 0;
   int taps = 0;      // of shaking
   double force = 0;  // N on a tile, of pressing
+  // Relaxed: what finite elements pull there differs by this from what the tiles feel, over the
+  // mean force on a tile (TileWorld::solve_elements).
+  double element_change = 0;
 };
 
 class Path {
  public:
   // world: without weight or ground, its bodies where tiles are actuated, which is the shape of the
-  // former. bodies and world outlive the path. Moves the tiles to the layout.
-  Path(const TileBodies& bodies, TileWorld& world, double friction, const PathOptions& options);
+  // former. target: what scans are compared with. All outlive the path.
+  Path(const TileBodies& bodies, TileWorld& world, const TriangleMesh& target, double friction,
+       const PathOptions& options);
 
-  // Each goes on from where the piece is and ends where it comes to rest, goes round in circles or
-  // has taken max_steps. Throws Cancelled; the frames so far stay.
+  // The minimum of energy without friction, from where the tiles are actuated; first of all. With
+  // `solved`, the membranes of the actuated configuration, finite elements are solved where the
+  // tiles rest, and these relax on under their forces. Throws Cancelled.
+  RestState relax(SolvedDesign* solved);
+  // From the layout, under reduced membranes alone: at the ends of the path, forces of finite
+  // elements move the mean by a hundredth. Each load case goes on from where the piece is and ends
+  // where it comes to rest, goes round in circles or has taken max_steps. Throws Cancelled; the
+  // frames so far stay.
   RestState release();
-  // A tap lets go of friction for one step. Taps follow until two in a row lower the energy by
+  // A tap lets go of friction for six steps. Taps follow until two in a row lower the energy by
   // less than a ten-thousandth.
   RestState shake();
   // Each tile is pressed towards its place on the former, which is fitted to its piece as that
@@ -74,11 +89,14 @@ class Path {
   bool run(int most_steps);
   void fit_former();
   RestState finish(int most_frames);
+  void describe();
   Poses tile_poses() const;
 
   const TileBodies& bodies_;
   const TileMesh& tiles_;
+  TileWorld& piece_;
   ContactWorld& world_;
+  const TriangleMesh& target_;
   Former* former_;  // of the world's energies
   PathOptions options_;
   double friction_;

@@ -9,6 +9,8 @@ namespace {
 
 const char* name_of(LoadCase load) {
   switch (load) {
+    case LoadCase::relaxed:
+      return "relaxed";
     case LoadCase::released:
       return "by_itself";
     case LoadCase::shaken:
@@ -18,8 +20,24 @@ const char* name_of(LoadCase load) {
   }
 }
 
+const std::optional<RestState>& state_of(const ActuatedDesign& design, LoadCase load) {
+  switch (load) {
+    case LoadCase::relaxed:
+      return design.relaxed;
+    case LoadCase::released:
+      return design.released;
+    case LoadCase::shaken:
+      return design.shaken;
+    default:
+      return design.pressed;
+  }
+}
+
+constexpr LoadCase load_cases[] = {LoadCase::relaxed, LoadCase::released, LoadCase::shaken,
+                                   LoadCase::pressed};
+
 // Distances are None where the piece came to no rest.
-py::object state_block(const std::optional<RestState>& state) {
+py::object state_block(LoadCase load, const std::optional<RestState>& state) {
   if (!state) return py::none();
   py::dict out = scan_block(state->scan);
   if (!state->at_rest) {
@@ -28,8 +46,14 @@ py::object state_block(const std::optional<RestState>& state) {
   out["converged"] = state->at_rest;
   out["open_contacts"] = state->open_contacts;
   out["energy_n_mm"] = state->energy;
-  out["last_frame"] = state->last_frame;
   out["steps"] = state->steps;
+  if (load == LoadCase::relaxed) {
+    out["element_change"] = state->element_change;
+  } else {
+    out["last_frame"] = state->last_frame;
+  }
+  if (load == LoadCase::shaken) out["taps"] = state->taps;
+  if (load == LoadCase::pressed) out["force_n"] = state->force;
   return out;
 }
 
@@ -39,11 +63,22 @@ py::dict block(const ActuatedDesign& design) {
   out["friction_coefficient"] = design.friction_coefficient;
   out["contacts"] = design.contacts;
   out["stopped"] = design.stopped;
-  out["by_itself"] = state_block(design.released);
-  out["shaken"] = state_block(design.shaken);
-  if (design.shaken) out["shaken"]["taps"] = design.shaken->taps;
-  out["pressed"] = state_block(design.pressed);
-  if (design.pressed) out["pressed"]["force_n"] = design.pressed->force;
+  for (LoadCase load : load_cases) out[name_of(load)] = state_block(load, state_of(design, load));
+  py::dict spread;
+  spread["mean_mm"] = design.spread;
+  spread["varied"] = std::vector<std::string>{"friction", "membrane_mismatch"};
+  out["spread"] = spread;
+  return out;
+}
+
+// A row a state that there is.
+Eigen::MatrixXd deviations(const ActuatedDesign& design) {
+  std::vector<const RestState*> states;
+  for (LoadCase load : load_cases) {
+    if (const auto& state = state_of(design, load)) states.push_back(&*state);
+  }
+  Eigen::MatrixXd out(static_cast<Eigen::Index>(states.size()), states[0]->deviation.size());
+  for (Eigen::Index s = 0; s < out.rows(); ++s) out.row(s) = states[s]->deviation.transpose();
   return out;
 }
 
@@ -71,6 +106,12 @@ std::vector<std::string> loads_of_frames(const ActuatedDesign& design) {
 void bind_actuation(py::module_& module) {
   py::class_<ActuatedDesign>(module, "ActuatedDesign", "Shape of the built piece, and its path.")
       .def_property_readonly("block", &block, "Figures, as report.json has them.")
+      .def_property_readonly("deviations", &deviations,
+                             "Per state that there is and tile the mean distance of its front from "
+                             "the target, mm.")
+      .def_property_readonly(
+          "relaxed", [](const ActuatedDesign& design) { return design.relaxed->tiles; },
+          "Relaxed tiles, as a frame.")
       .def_property_readonly("frames", &tiles_of_frames,
                              "Per frame of the path a row a tile, its motion from its place in "
                              "the actuated design: x, y, z (mm) and a unit quaternion (w, x, y, "
@@ -90,7 +131,8 @@ void bind_actuation(py::module_& module) {
                            [&](const Progress& sink) { return actuate_design(design, {}, sink); });
       },
       py::arg("design"), py::arg("progress") = py::none(),
-      "Releases a piece from flat, shakes it, presses it over its former and lets it go.");
+      "Relaxes a piece without friction, releases it from flat, shakes it, presses it over its "
+      "former and lets it go.");
 }
 
 }  // namespace curveups::bindings

@@ -51,12 +51,17 @@ void bind_settled(py::module_& module) {
                                                        margin.failure.end());
           },
           "What fails where the front pulls harder, and the back.");
+  py::class_<FrictionNeeded>(module, "FrictionNeeded",
+                             "Least coefficient at which forces in balance exist.")
+      .def_readonly("coefficient", &FrictionNeeded::coefficient, "None where it is not known.")
+      .def_readonly("tiles", &FrictionNeeded::tiles, "Tiles that need most.");
   py::class_<SettledDesign>(module, "SettledDesign",
                             "What develops where a design's tiles are let go when actuated.")
       .def_readonly("holds", &SettledDesign::holds, "None where that is not known.")
       .def_readonly("failure", &SettledDesign::failure, "Why it does not hold.")
       .def_property_readonly("block", &block, "The figures, as report.json has them.")
       .def_readonly("margin", &SettledDesign::margin)
+      .def_readonly("friction_needed", &SettledDesign::friction_needed)
       .def_readonly("window", &SettledDesign::window)
       .def_readonly("contact_force", &SettledDesign::contact_force,
                     "Normal force of each contact, N.")

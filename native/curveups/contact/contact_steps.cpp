@@ -193,7 +193,7 @@ StepReport ContactWorld::step() {
   const double distance = stride(drag, x);
   contacts_.remember(x);
   poses_ = std::move(x);
-  searched_ = false;
+  searched_ = pace.keeps_contacts;
   report.energy = value(poses_);
   // Steps grow where motion is slow, and hardly where one was too long for its iterations.
   weight_ *= std::clamp(1.25 * distance, report.shortened > 1 ? 0.7 : 0.25, 4.0);

@@ -39,6 +39,8 @@ struct Pace {
   bool projected = true;
   // In the first step contact points stick that touch (ContactWorld::stuck_poses).
   bool sticks_first = false;
+  // Contact points stay those of the first search.
+  bool keeps_contacts = false;
   SearchOptions search;
 
   // Pace of bodies that settle.
@@ -51,6 +53,14 @@ struct Pace {
     pace.tolerance = 1e-7;
     pace.projected = false;
     pace.sticks_first = true;
+    return pace;
+  }
+  // Pace of bodies that relax without friction beside their place, from that of their settling.
+  // Faces that touch there stay those that touch, and their planes have no ends: the energy is
+  // smooth, and Newton's method converges.
+  static Pace relaxing(Pace pace) {
+    pace.sticks_first = false;
+    pace.keeps_contacts = true;
     return pace;
   }
 };
@@ -86,6 +96,7 @@ class ContactWorld {
   void set_friction(double coefficient) { contacts_.friction_coefficient = coefficient; }
   // From here on.
   void begin_path(const Pace& pace);
+  const Pace& pace() const { return options_.pace; }
   // From here on, with friction's history between faces that stay the same.
   void set_poses(const Poses& poses);
 

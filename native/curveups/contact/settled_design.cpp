@@ -55,6 +55,7 @@ SettledDesign settle_design(const Design& design, const Progress& progress,
   checkpoint("settle", 0);
   SettledDesign out;
   out.margin = find_margin(solved, bodies.geometry, progress);
+  out.friction_needed = find_friction_needed(solved, bodies.geometry, progress);
   const WindowSample sample = [&](const std::array<double, 2>& pull, double friction) {
     Settling settling(bodies, solved, pull);
     settling.settle(friction);

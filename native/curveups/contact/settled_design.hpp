@@ -7,6 +7,7 @@
 #include "curveups/contact/process_window.hpp"
 #include "curveups/contact/virtual_scan.hpp"
 #include "curveups/core/progress.hpp"
+#include "curveups/physics/friction_needed.hpp"
 #include "curveups/physics/margin.hpp"
 
 namespace curveups {
@@ -33,6 +34,7 @@ struct SettledDesign {
   double drift = 0;
   VirtualScan scan;                 // beside the design's actuated surface
   Margin margin;                    // by the forces that exist, not by settling
+  FrictionNeeded friction_needed;   // likewise
   std::vector<WindowRange> window;  // where the parameters ask for it and the design holds
   // The least friction down to which it holds; where the window is known.
   std::optional<double> holding_friction;

@@ -169,6 +169,10 @@ std::vector<ParameterInfo> make_table() {
     {"run_repair", "", "Stages",
      "Give pins more space before the layout, and repair weak contacts after verification.",
      0, reader::repair, &P::run_repair},
+    {"self_shaping", "", "Stages",
+     "After repair, move pins and tiles on until the design needs as little friction as it can, so "
+     "that the piece comes to rest near the target by itself.",
+     basic, reader::repair, &P::self_shaping},
     {"run_settling", "", "Stages",
      "Let the tiles settle under their membranes, with friction, and report whether the shape "
      "holds.",

@@ -68,6 +68,7 @@ struct Parameters {
   // Stages
   bool run_verification = true;
   bool run_repair = true;
+  bool self_shaping = false;
   bool run_settling = true;
   std::string margin = "report";
   bool window = false;

@@ -15,10 +15,11 @@ using Eigen::VectorXd;
 
 constexpr int max_iterations = 100;
 
-// Unknowns: s, and f, three per point: the force less the floor, (n - s, t). (With the force itself
-// the relaxed program loses all digits at the end.) Balance: A f + a s + b = 0, a = A applied to a
-// unit normal force at every point. Cones, with slack z and multiplier l:
-//   circle: z = (mu (f_n + rho s), f_t); rho is 1, relaxed 0
+// Unknowns: s, and f, three per point: the force less its floor, (n - s, t) or (n - floor, t).
+// (With the force itself the relaxed program loses all digits at the end.) Balance: A f + a s + b =
+// 0, a = A applied to a unit normal force at every point, or 0. Cones, with slack z and multiplier
+// l:
+//   circle: z = (mu (f_n + floor + rho s), f_t); rho is 1, relaxed 0, of friction -weight / mu
 //   floor:  z = f_n
 //   cap:    z = 1 - s
 class ConeProgram {
@@ -28,11 +29,17 @@ class ConeProgram {
         count_(system.point_count()),
         b_(b),
         mu_(options.friction_coefficient),
-        rho_(options.relaxed ? 0 : 1),
+        floor_(options.weight.size() > 0 ? options.floor : 0),
+        rho_(VectorXd::Constant(count_, options.relaxed ? 0 : 1)),
         tolerance_(options.tolerance) {
-    VectorXd floor = VectorXd::Zero(3 * count_);
-    for (int p = 0; p < count_; ++p) floor(3 * p) = 1;
-    a_ = system_.apply(floor);
+    VectorXd normals = VectorXd::Zero(3 * count_);
+    for (int p = 0; p < count_; ++p) normals(3 * p) = 1;
+    a_ = system_.apply(normals);
+    if (options.weight.size() == 0) return;
+    rho_ = -options.weight / mu_;
+    b_ += floor_ * a_;
+    a_.setZero();
+    lifts_ = false;
   }
 
   ConeSolution solve(const VectorXd& start, const Progress& progress);
@@ -49,7 +56,13 @@ class ConeProgram {
     Cones z, l;
   };
 
-  Vec3 circle_of(const Vec3& f, double s) const { return {mu_ * (f.x() + rho_ * s), f.y(), f.z()}; }
+  // circle_of: of forces; circle_by: of their changes.
+  Vec3 circle_by(int p, const Vec3& f, double s) const {
+    return {mu_ * (f.x() + rho_(p) * s), f.y(), f.z()};
+  }
+  Vec3 circle_of(int p, double s) const {
+    return circle_by(p, f_.segment<3>(3 * p), s) + Vec3(mu_ * floor_, 0, 0);
+  }
 
   void initialize(const VectorXd& start);
   void residuals();
@@ -69,7 +82,9 @@ class ConeProgram {
   int count_;
   VectorXd b_;
   double mu_;
-  double rho_;  // what of s is in the radius of a circle
+  double floor_;
+  VectorXd rho_;       // what of s is in the radius of a circle, over mu
+  bool lifts_ = true;  // s is the floor
   double tolerance_;
   VectorXd a_;
 
@@ -102,8 +117,10 @@ void ConeProgram::initialize(const VectorXd& start) {
   y_ = VectorXd::Zero(system_.rows());
   double least = 0;
   for (int p = 0; p < count_; ++p) least = std::min(least, f_(3 * p));
-  s_ = least - 0.1;
-  for (int p = 0; p < count_; ++p) f_(3 * p) -= s_;
+  s_ = lifts_ ? least - 0.1 : 0.0;
+  for (int p = 0; p < count_; ++p) {
+    f_(3 * p) = lifts_ ? f_(3 * p) - s_ : std::max(0.1, f_(3 * p) - floor_);
+  }
   const double weight = 1.0 / std::max(1, count_);
   z_.circle.setZero(count_, 3);
   l_.circle.setZero(count_, 3);
@@ -111,7 +128,7 @@ void ConeProgram::initialize(const VectorXd& start) {
   l_.floor = VectorXd::Constant(count_, weight);
   for (int p = 0; p < count_; ++p) {
     z_.floor(p) = f_(3 * p);
-    Vec3 u = circle_of(f_.segment<3>(3 * p), s_);
+    Vec3 u = circle_of(p, s_);
     u.x() = std::max(u.x(), 1.1 * u.tail<2>().norm() + 0.1);
     z_.circle.row(p) = u.transpose();
     l_.circle(p, 0) = weight;
@@ -130,8 +147,8 @@ void ConeProgram::residuals() {
     r_z_.floor(p) = z_.floor(p) - f_(3 * p);
     const Vec3 l = l_.circle.row(p);
     r_f_.segment<3>(3 * p) -= Vec3(mu_ * l.x(), l.y(), l.z());
-    r_s_ -= mu_ * rho_ * l.x();
-    r_z_.circle.row(p) = z_.circle.row(p) - circle_of(f_.segment<3>(3 * p), s_).transpose();
+    r_s_ -= mu_ * rho_(p) * l.x();
+    r_z_.circle.row(p) = z_.circle.row(p) - circle_of(p, s_).transpose();
   }
   r_z_.cap = z_.cap - (1 - s_);
   r_y_ = system_.apply(f_) + s_ * a_ + b_;
@@ -160,10 +177,8 @@ bool ConeProgram::factorize() {
     D.bottomRightCorner<2, 2>() = circle_[p].tangential + column.tail<2>() *
                                                               column.tail<2>().transpose() /
                                                               (column.x() * denominator);
-    if (rho_ != 0) {
-      D_e_.row(p) << 1 / denominator, -w * column.y() / denominator, -w * column.z() / denominator;
-      pivot_ += w / denominator;
-    }
+    D_e_.row(p) = rho_(p) / denominator * Vec3(1, -w * column.y(), -w * column.z()).transpose();
+    pivot_ += rho_(p) * rho_(p) * w / denominator;
   }
   if (!system_.factorize(D_inverse_)) return false;
   c_ = system_.apply(Eigen::Map<const VectorXd>(D_e_.data(), D_e_.size())) - a_;
@@ -219,7 +234,7 @@ ConeProgram::Direction ConeProgram::newton(double keep, const Cones& d) const {
     const double n = out.f(3 * p);
     out.z.floor(p) = -keep * r_z_.floor(p) + n;
     out.l.floor(p) = w_floor_(p) * (-n - beta.floor(p));
-    const Vec3 m = circle_of(out.f.segment<3>(3 * p), out.s);
+    const Vec3 m = circle_by(p, out.f.segment<3>(3 * p), out.s);
     out.z.circle.row(p) = -keep * r_z_.circle.row(p) + m.transpose();
     // From the dual equation rather than from the scaling, which would amplify rounding in f.
     out.l.circle.row(p) << (dual(3 * p) - out.l.floor(p)) / mu_, dual(3 * p + 1), dual(3 * p + 2);
@@ -338,7 +353,7 @@ ConeSolution ConeProgram::solve(const VectorXd& start, const Progress& progress)
   }
   if (out.solve.converged()) take_up_imbalance();
   out.force = f_;
-  for (int p = 0; p < count_; ++p) out.force(3 * p) += s_;
+  for (int p = 0; p < count_; ++p) out.force(3 * p) += lifts_ ? s_ : floor_;
   out.s = s_;
   out.y = y_;
   out.circle = l_.circle;

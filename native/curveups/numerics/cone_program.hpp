@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Second-order cone programs over forces at points, three numbers each (normal, two tangents):
-//   maximise s  subject to  A f + b = 0,  n >= s,  |t| <= mu n,  s <= 1
-// at every point, with the exact circular cone. Relaxed: n >= s and |t| <= mu (n - s), which always
-// has a solution. A primal-dual
-// interior-point method (Mehrotra's predictor-corrector with Nesterov-Todd scaling; L.
-// Vandenberghe, "The CVXOPT linear and quadratic cone program solvers", 2010) on the normal
+// Second-order cone programs over forces at points, three numbers each (normal n, two tangents t)
+// with A f + b = 0 and the exact circular cone at every point:
+//   floor:     maximise s   subject to  n >= s,      |t| <= mu n,              s <= 1;
+//   relaxed:   the same with |t| <= mu (n - s), which always has a solution;
+//   friction:  maximise s   subject to  n >= floor,  |t| <= mu n - s weight,  s <= 1.
+// A primal-dual interior-point method (Mehrotra's predictor-corrector with Nesterov-Todd scaling;
+// L. Vandenberghe, "The CVXOPT linear and quadratic cone program solvers", 2010) on the normal
 // equations A D A^T, one factorization a step.
 #pragma once
 
@@ -33,7 +34,9 @@ class ForceMap {
 struct ConeOptions {
   double friction_coefficient = 0.5;  // mu
   bool relaxed = false;
-  double tolerance = 1e-4;  // on s
+  double tolerance = 1e-4;      // on s
+  Eigen::VectorXd weight = {};  // per point, positive: the program of friction; else empty
+  double floor = 0;             // with `weight`
 };
 
 struct ConeSolution {

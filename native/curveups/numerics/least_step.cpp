@@ -21,6 +21,9 @@ constexpr int max_iterations = 80;
 // make up for it. Without, a met row's weight grows until rounding of its value outweighs the
 // multiplier.
 constexpr double least_give = 1e-11;
+// Of conjugate gradients: relative, in the preconditioner's norm.
+constexpr int most_krylov_iterations = 200;
+constexpr double krylov_tolerance = 1e-2;
 
 using Eigen::ArrayXd;
 using Eigen::VectorXd;
@@ -89,11 +92,14 @@ class LeastStepMethod {
   struct Products {
     ArrayXd s, e, lower, upper;
   };
+  VectorXd gradient() const;
   void linearize();
   bool converged() const;
   // The Newton system's matrix at the iterate. False where it can't be.
   bool factorize();
   VectorXd solve(const VectorXd& right) const;
+  VectorXd solve_rows(const VectorXd& right) const;
+  VectorXd multiply_rows(const VectorXd& z) const;
   Direction newton(const Products& target) const;
   double step_length(const Direction& d) const;
   // Products mu, less the second-order terms of the step that leads to none.
@@ -151,9 +157,16 @@ LeastStepMethod::LeastStepMethod(const LeastStepProblem& problem)
   upper_ = mu_ / high_;
 }
 
+// Of the objective, but for the elastic parts.
+VectorXd LeastStepMethod::gradient() const {
+  VectorXd out = z_.matrix() - wanted_;
+  if (problem_.quadratic) out += problem_.quadratic->apply(z_.matrix()) + problem_.linear;
+  return out;
+}
+
 void LeastStepMethod::linearize() {
   residual_ = rows_times(problem_, z_.matrix()).array() + c_.array() + e_ - s_;
-  dual_ = z_ - wanted_.array() - transposed_times(problem_, m_.matrix()).array() - lower_ + upper_;
+  dual_ = gradient().array() - transposed_times(problem_, m_.matrix()).array() - lower_ + upper_;
   unpaid_ = penalty_ - m_ - elastic_;
   const double products =
       (s_ * m_).sum() + (e_ * elastic_).sum() + (low_ * lower_).sum() + (high_ * upper_).sum();
@@ -167,8 +180,10 @@ void LeastStepMethod::linearize() {
 bool LeastStepMethod::converged() const {
   const double infeasible = rows_ > 0 ? residual_.abs().maxCoeff() : 0.0;
   const double unpaid = rows_ > 0 ? unpaid_.abs().maxCoeff() : 0.0;
-  return mu_ < 1e-10 && infeasible < 1e-9 &&
-         std::max(dual_.abs().maxCoeff(), unpaid / (1 + problem_.sparse_penalty)) < 1e-6;
+  const double dual = std::max(dual_.abs().maxCoeff(), unpaid / (1 + problem_.sparse_penalty));
+  // Conjugate gradients leave a dual residual.
+  if (problem_.quadratic) return mu_ < 1e-4 && infeasible < 1e-6 && dual < 1e-2;
+  return mu_ < 1e-10 && infeasible < 1e-9 && dual < 1e-6;
 }
 
 bool LeastStepMethod::factorize() {
@@ -187,23 +202,48 @@ bool LeastStepMethod::factorize() {
   return true;
 }
 
-// With what rounding left of the right-hand side once more.
+// Of all but the quadratic map.
+VectorXd LeastStepMethod::solve_rows(const VectorXd& right) const {
+  VectorXd z = normal_.factor().solve_lower(normal_.ranked(right));
+  if (dense_ > 0) z -= half_ * small_.solve(half_.transpose() * z);
+  return normal_.unranked(normal_.factor().solve_upper(z));
+}
+
+VectorXd LeastStepMethod::multiply_rows(const VectorXd& z) const {
+  VectorXd out = normal_.multiply(z);
+  if (dense_ > 0) {
+    out +=
+        problem_.dense * weight_.tail(dense_).matrix().cwiseProduct(problem_.dense.transpose() * z);
+  }
+  return out;
+}
+
+// With what rounding left of the right-hand side once more; by conjugate gradients where there is a
+// quadratic map, preconditioned by all the rest.
 VectorXd LeastStepMethod::solve(const VectorXd& right) const {
-  auto once = [&](const VectorXd& of) {
-    VectorXd z = normal_.factor().solve_lower(normal_.ranked(of));
-    if (dense_ > 0) z -= half_ * small_.solve(half_.transpose() * z);
-    return VectorXd(normal_.unranked(normal_.factor().solve_upper(z)));
-  };
-  const VectorXd z = once(right);
-  const VectorXd dense = weight_.tail(dense_).matrix().cwiseProduct(problem_.dense.transpose() * z);
-  return z + once(right - normal_.multiply(z) - problem_.dense * dense);
+  VectorXd z = solve_rows(right);
+  if (!problem_.quadratic) return z + solve_rows(right - multiply_rows(z));
+  VectorXd p = z, r = right, y = z;
+  z.setZero();
+  double now = r.dot(y);
+  const double enough = krylov_tolerance * krylov_tolerance * now;
+  for (int k = 0; k < most_krylov_iterations && now > enough; ++k) {
+    const VectorXd along = multiply_rows(p) + problem_.quadratic->apply(p);
+    const double length = now / p.dot(along);
+    z += length * p;
+    r -= length * along;
+    y = solve_rows(r);
+    const double next = r.dot(y);
+    p = y + next / now * p;
+    now = next;
+  }
+  return z;
 }
 
 LeastStepMethod::Direction LeastStepMethod::newton(const Products& target) const {
   const ArrayXd free = (target.e - e_ * (elastic_ + unpaid_)) / elastic_;
   const ArrayXd k = -residual_ - free + target.s / m_ - s_;
-  const VectorXd right = wanted_ - z_.matrix() +
-                         transposed_times(problem_, (m_ + weight_ * k).matrix()) +
+  const VectorXd right = -gradient() + transposed_times(problem_, (m_ + weight_ * k).matrix()) +
                          (target.lower / low_ - target.upper / high_).matrix();
   const VectorXd dz = solve(right);
   Direction d;

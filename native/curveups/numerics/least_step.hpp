@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The least step that keeps linearised constraints, a convex quadratic program:
-//   minimise 1/2 |z - wanted|^2 + penalty . e
+//   minimise 1/2 |z - wanted|^2 + 1/2 z . Q z + linear . z + penalty . e
 //   subject to   C z + c + e >= 0,  e >= 0,  lower <= z <= upper.
 // Rows are sparse (geometric constraints) or dense (few, each of all unknowns). The elastic e makes
 // every problem feasible (exact penalty): where constraints contradict one another those of the
@@ -18,6 +18,13 @@
 
 namespace curveups {
 
+// A symmetric, positive semi-definite map Q.
+class QuadraticMap {
+ public:
+  virtual ~QuadraticMap() = default;
+  virtual Eigen::VectorXd apply(const Eigen::VectorXd& z) const = 0;
+};
+
 using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
 
 struct LeastStepProblem {
@@ -27,6 +34,8 @@ struct LeastStepProblem {
   Eigen::VectorXd dense_value;
   Eigen::VectorXd lower, upper;  // lower < upper, within which zero lies or on one of which
   Eigen::VectorXd wanted;        // empty for zero
+  const QuadraticMap* quadratic = nullptr;
+  Eigen::VectorXd linear;  // with `quadratic`
   static constexpr double sparse_penalty = 1e4, dense_penalty = 1e3;
 };
 

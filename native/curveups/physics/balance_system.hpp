@@ -37,6 +37,8 @@ class BalanceSystem : public ForceMap {
   int rows() const override { return rows_; }
   // False for held tiles and for the one left out per component.
   bool has_rows(int tile) const { return row_of_tile_[tile] >= 0; }
+  // Of a tile's six.
+  int first_row(int tile) const { return row_of_tile_[tile]; }
   // Columns: normal and tangents of a point.
   const Eigen::Matrix3d& basis(int point) const { return basis_[point]; }
   double lever() const { return lever_; }

@@ -284,6 +284,11 @@ std::vector<ForceGradient> force_gradients(const DesignForces& forces,
   return gradients_of(forces, motions, std::move(places), vertices);
 }
 
+std::vector<ForceGradient> load_gradients(const DesignForces& forces,
+                                          const std::vector<Array6>& motions) {
+  return gradients_of(forces, motions, {}, {});
+}
+
 ForceGradient floor_gradient(const DesignForces& forces, const UnilateralResult& unilateral,
                              const std::vector<VertexPatch>& vertices) {
   const BalanceSystem& system = forces.system();

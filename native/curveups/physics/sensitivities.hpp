@@ -38,6 +38,11 @@ std::vector<ForceGradient> force_gradients(const DesignForces& forces,
                                            const Eigen::MatrixXd& functions,
                                            const std::vector<VertexPatch>& vertices);
 
+// Derivatives of -motion . b, the virtual work of the loads, by poses and insets alone. motions:
+// virtual motions as BalanceSystem::expand has them.
+std::vector<ForceGradient> load_gradients(const DesignForces& forces,
+                                          const std::vector<Array6>& motions);
+
 // Derivatives of the largest floor of the unilateral problem under forces' loads, by its
 // multipliers.
 ForceGradient floor_gradient(const DesignForces& forces, const UnilateralResult& unilateral,

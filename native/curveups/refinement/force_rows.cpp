@@ -3,11 +3,8 @@
 
 namespace curveups {
 
-namespace {
-
-// Both in units of the mean normal force.
-ForceRow make_row(const Iterate& place, double value, double unit, const ForceGradient& gradient,
-                  const MovingVertices* moving) {
+ForceRow make_force_row(const Iterate& place, double value, double unit,
+                        const ForceGradient& gradient, const MovingVertices* moving) {
   const TileMesh& tiles = place.geometry().tiles;
   ForceRow row{value, LayoutState(place.state.rows(), unknowns_per_tile), gradient.by_vertex};
   row.gradient << gradient.by_pose, gradient.by_inset;
@@ -33,8 +30,6 @@ ForceRow make_row(const Iterate& place, double value, double unit, const ForceGr
   row.by_vertex *= unit;
   return row;
 }
-
-}  // namespace
 
 MovingVertices vertices_to_move(const Iterate& place, const TrackedForces& tracked,
                                 const Judgement& now, const VertexPlaces& target) {
@@ -95,12 +90,12 @@ std::vector<ForceRow> force_rows(const Iterate& place, const TrackedForces& trac
       force_gradients(tracked.forces(), functions, patches);
   for (std::size_t r = 0; r < chosen.size(); ++r) {
     const double value = (now.normal(chosen[r]) - force_goal * now.f_min) / now.mean;
-    rows.push_back(make_row(place, value, 1 / now.mean, gradients[r], moving));
+    rows.push_back(make_force_row(place, value, 1 / now.mean, gradients[r], moving));
   }
   if (tracked.floor_is_active() && tracked.floor().solve.status != SolveStatus::unfinished) {
     const double value = (now.floor - floor_goal) * now.f_min / now.mean;
     const ForceGradient gradient = floor_gradient(tracked.forces(), tracked.floor(), patches);
-    rows.push_back(make_row(place, value, 1 / now.mean, gradient, moving));
+    rows.push_back(make_force_row(place, value, 1 / now.mean, gradient, moving));
   }
   return rows;
 }

@@ -20,6 +20,11 @@ struct VertexPlaces {
 MovingVertices vertices_to_move(const Iterate& place, const TrackedForces& tracked,
                                 const Judgement& now, const VertexPlaces& target);
 
+// The gradient by the unknowns of layout and vertices, and the value, times a unit. moving may be
+// null.
+ForceRow make_force_row(const Iterate& place, double value, double unit,
+                        const ForceGradient& gradient, const MovingVertices* moving);
+
 // A row per point below the active force, and one for the floor where that is active. moving may be
 // null.
 std::vector<ForceRow> force_rows(const Iterate& place, const TrackedForces& tracked,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 
 #include "curveups/core/tolerances.hpp"
 
@@ -50,12 +51,30 @@ std::vector<int> tiles_that_matter(const LayoutModel& model, const std::vector<F
 
 namespace {
 
+// The objective in the units of a step.
+class ScaledObjective : public QuadraticMap {
+ public:
+  ScaledObjective(const StepObjective& objective, const Eigen::VectorXd& scale)
+      : objective_(objective), J_(objective.jacobian * scale.asDiagonal()), J_T_(J_.transpose()) {}
+  Eigen::VectorXd apply(const Eigen::VectorXd& z) const override { return by_rows(J_ * z); }
+  Eigen::VectorXd linear() const { return by_rows(objective_.value); }
+
+ private:
+  Eigen::VectorXd by_rows(const Eigen::VectorXd& r) const {
+    return objective_.weight * (J_T_ * objective_.solve(r));
+  }
+
+  const StepObjective& objective_;
+  SparseRows J_, J_T_;
+};
+
 // The least-step problem of some tiles, nine unknowns each in mm, and of vertices behind them.
 class StepProblem {
  public:
   StepProblem(const LayoutModel& model, const LayoutState& state,
               const std::vector<ForceRow>& forces, const std::vector<int>& tiles,
-              const MovingVertices* vertices, const StepWeights& weights)
+              const MovingVertices* vertices, const StepWeights& weights,
+              const StepObjective* objective)
       : model_(model),
         state_(state),
         forces_(forces),
@@ -76,6 +95,12 @@ class StepProblem {
     add_bounds();
     if (vertices) add_vertex_bounds();
     add_forces();
+    if (!objective) return;
+    Eigen::VectorXd scale(count_);
+    for (int k = 0; k < count_; ++k) scale(k) = scale_(k % per_tile);
+    objective_ = std::make_unique<ScaledObjective>(*objective, scale);
+    problem_.quadratic = objective_.get();
+    problem_.linear = objective_->linear();
   }
 
   LayoutStep solve() const;
@@ -101,6 +126,7 @@ class StepProblem {
   Eigen::Matrix<double, 1, per_tile> scale_;  // unknowns per unit of the step
   Eigen::VectorXd vertex_scale_;
   LeastStepProblem problem_;
+  std::unique_ptr<ScaledObjective> objective_;
   std::vector<double> values_;  // of the sparse rows, and where they come from
   std::vector<RowSource> sources_;
 };
@@ -250,8 +276,9 @@ LayoutStep StepProblem::solve() const {
 
 LayoutStep least_layout_step(const LayoutModel& model, const LayoutState& state,
                              const std::vector<ForceRow>& forces, const std::vector<int>& tiles,
-                             const MovingVertices* vertices, const StepWeights& weights) {
-  return StepProblem(model, state, forces, tiles, vertices, weights).solve();
+                             const MovingVertices* vertices, const StepWeights& weights,
+                             const StepObjective* objective) {
+  return StepProblem(model, state, forces, tiles, vertices, weights, objective).solve();
 }
 
 bool restore_constraints(LayoutModel& model, LayoutState& state, int max_steps) {

@@ -3,6 +3,7 @@
 // constraints, on some of the tiles.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,15 @@ struct StepWeights {
       0;  // mm, by coordinate: of vertices from their places in the target
 };
 
+// What a step of all tiles minimises besides: weight / 2 (r + J d) . S^-1 (r + J d), d the unknowns
+// of all tiles, 9 each.
+struct StepObjective {
+  SparseRows jacobian;                                           // J
+  Eigen::VectorXd value;                                         // r
+  std::function<Eigen::VectorXd(const Eigen::VectorXd&)> solve;  // S^-1 v
+  double weight = 1;
+};
+
 // What holds a force row back, by falling share.
 struct Obstacle {
   std::string what;        // "gap", "pin area", "pin keep-out", "inset at its limit"
@@ -51,10 +61,12 @@ std::vector<int> tiles_that_matter(const LayoutModel& model, const std::vector<F
                                    double share);
 
 // The least step of the given tiles and vertices that keeps every constraint the tiles take part in
-// and lifts the force rows to zero. vertices may be null: none move.
+// and lifts the force rows to zero. vertices may be null: none move. objective may be null; else
+// the tiles are all and no vertices move.
 LayoutStep least_layout_step(const LayoutModel& model, const LayoutState& state,
                              const std::vector<ForceRow>& forces, const std::vector<int>& tiles,
-                             const MovingVertices* vertices, const StepWeights& weights);
+                             const MovingVertices* vertices, const StepWeights& weights,
+                             const StepObjective* objective = nullptr);
 
 // Puts the state back onto its constraints by least steps, each around what is violated, and adds
 // separations to the model for tiles that have come too near. Returns whether all hold to

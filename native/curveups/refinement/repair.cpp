@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <optional>
 
 #include "curveups/core/checkpoint.hpp"
@@ -12,6 +13,7 @@
 #include "curveups/core/tolerances.hpp"
 #include "curveups/refinement/explanation.hpp"
 #include "curveups/refinement/force_rows.hpp"
+#include "curveups/refinement/friction_objective.hpp"
 #include "curveups/refinement/pin_caps.hpp"
 
 namespace curveups {
@@ -23,6 +25,13 @@ constexpr double first_trust_radius = 0.2;
 constexpr double largest_displacement_of_L = 0.1;
 // What moving a vertex costs against moving a tile as far.
 constexpr double vertex_cost = 100;
+
+// Steps that lower friction: mm that an unknown moves at most; weight of the friction (in squares
+// of the mean normal force) against the squares of moves, 1 / mm2; how many; they end where
+// tangential forces are this small against the mean normal force, or fall by less than a fifth.
+constexpr double shaping_radius = 0.5, friction_weight = 400, least_tangential = 0.005,
+                 slow_shaping = 0.8;
+constexpr int most_shaping_steps = 8;
 
 // The deepest of either side.
 std::vector<Finding> cuts_among(const std::vector<Touch>& touches) {
@@ -62,6 +71,8 @@ class Repair {
   void restore_start(RepairResult& result);
   Judgement judge_fresh(RepairResult& result);
   void search(RepairResult& result);
+  void lower_friction(RepairResult& result);
+  void shape(RepairResult& result);
   bool reached(const Judgement& now) const;
   StepWeights step_weights() const;
 
@@ -335,10 +346,79 @@ void Repair::search(RepairResult& result) {
   }
 }
 
+// Gauss-Newton steps of all poses and insets that lower the friction that balance asks for, with
+// the constraints of the layout and weak forces kept, for as long as they get on.
+void Repair::lower_friction(RepairResult& result) {
+  const SolvedDesign fresh = solve_design(here_.geometry(), design_here(), progress_);
+  Judgement now = tracked_.judge_fresh(here_, fresh);
+  tracked_.follow(here_, fresh, now);
+  const Wrenches correction = fresh.loads - tracked_.forces().loads();
+  const auto objective_here = [&] {
+    return std::make_unique<FrictionObjective>(here_.geometry(), parameters_,
+                                               tracked_.forces().loads() + correction, now.mean);
+  };
+  std::vector<int> all(here_.geometry().tiles.tile_count());
+  std::iota(all.begin(), all.end(), 0);
+  trust_radius_ = shaping_radius;
+  auto objective = objective_here();
+  const double first = objective->tangential();
+  for (int k = 0; k < most_shaping_steps && objective->tangential() > least_tangential; ++k) {
+    const std::string what = "repair: friction needed";
+    if (!keep_going(progress_, what, 1 - objective->tangential() / first)) throw Cancelled();
+    const Iterate from = here_;
+    StepObjective local = objective->linearise(here_, tracked_.forces());
+    local.weight = friction_weight;
+    LayoutStep step =
+        least_layout_step(from.model(), from.state, force_rows(here_, tracked_, now, nullptr), all,
+                          nullptr, step_weights(), &local);
+    std::unique_ptr<FrictionObjective> next;
+    int halved = 0;
+    for (; halved < 4; ++halved, step.step *= 0.5) {
+      if (!move_to(step, nullptr, from)) continue;
+      next = objective_here();
+      if (next->value() < objective->value()) break;
+      next.reset();
+    }
+    if (!next) {
+      here_ = from;
+      tracked_.move(here_);
+      return;
+    }
+    now = tracked_.judge();
+    LayoutState move = here_.state - from.state;
+    move.col(2) *= angle_lever(here_.model());
+    result.steps.push_back(
+        {now.weak, now.least, now.floor, move.cwiseAbs().maxCoeff(), false, false});
+    const bool slow = halved == 0 && next->tangential() > slow_shaping * objective->tangential();
+    objective = std::move(next);
+    if (slow) return;
+  }
+}
+
+// Goes on from a valid place, which stays the best where no better one is valid.
+void Repair::shape(RepairResult& result) {
+  const Judged valid = *best_;
+  const std::optional<VerificationReport> verification = result.verification;
+  const auto go_back = [&] {
+    best_ = valid;
+    result.verification = verification;
+  };
+  try {
+    lower_friction(result);
+    best_.reset();
+    search(result);
+  } catch (...) {
+    go_back();
+    throw;
+  }
+  if (!best_->judgement.valid()) go_back();
+}
+
 RepairResult Repair::run() {
   RepairResult result;
   try {
     search(result);
+    if (parameters_.self_shaping && best_->judgement.valid()) shape(result);
   } catch (const Cancelled&) {
     result.solve.status = SolveStatus::stopped;
   } catch (const Error& error) {  // on the way: the best so far stands

@@ -7,6 +7,7 @@
 
 #include "curveups/actuation/actuated_design.hpp"
 #include "curveups/bodies/convex_distance.hpp"
+#include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 #include "support/designs.hpp"
 
@@ -68,10 +69,9 @@ ActuatedDesign actuate(Design design, double friction, const PathOptions& option
 }
 
 // Front normals of the tiles where a load case ends.
-std::vector<Vec3> normals_at(const Design& design, const ActuatedDesign& piece,
-                             const RestState& state) {
+std::vector<Vec3> normals_at(const Design& design, const RestState& state) {
   const int count = static_cast<int>(design.mesh.F.rows());
-  const auto motions = frame_motions(piece.frames[state.last_frame].tiles, count);
+  const auto motions = frame_motions(state.tiles, count);
   std::vector<Vec3> out;
   for (int i = 0; i < count; ++i) {
     const Vec3 a = design.mesh.V.row(design.mesh.F(i, 0)),
@@ -95,10 +95,15 @@ TEST(ActuatedDesign, AStripOfTenTilesClosesToItsFolds) {
       d(radius * std::sin(1.5 * turn), 6, radius * std::cos(1.5 * turn));
   const double fold =
       std::acos((b - a).cross(c - a).normalized().dot((c - d).cross(b - d).normalized()));
-  const std::vector<Vec3> normals = normals_at(design, piece, *piece.released);
-  for (int i = 0; i + 1 < 10; ++i) {
-    EXPECT_NEAR(std::acos(normals[i].dot(normals[i + 1])), fold, 0.005) << i;
+  for (const RestState& state : {*piece.relaxed, *piece.released}) {
+    ASSERT_TRUE(state.at_rest);
+    const std::vector<Vec3> normals = normals_at(design, state);
+    for (int i = 0; i + 1 < 10; ++i) {
+      EXPECT_NEAR(std::acos(normals[i].dot(normals[i + 1])), fold, 0.005) << i;
+    }
   }
+  EXPECT_TRUE(piece.relaxed->open_contacts.empty());
+  EXPECT_LE(piece.relaxed->element_change, 0.05);
 }
 
 TEST(ActuatedDesign, ARingOfTilesClosesToItsPyramid) {
@@ -108,7 +113,7 @@ TEST(ActuatedDesign, ARingOfTilesClosesToItsPyramid) {
   ASSERT_TRUE(piece.released->at_rest);
   EXPECT_TRUE(piece.released->open_contacts.empty());
   const double slope = std::atan(height / (7 * std::cos(pi / 6)));
-  const std::vector<Vec3> normals = normals_at(design, piece, *piece.released);
+  const std::vector<Vec3> normals = normals_at(design, *piece.released);
   Vec3 axis = Vec3::Zero();
   for (const Vec3& normal : normals) axis += normal / 6;
   // Without friction, neighbours may lean by turns: their walls stay closed. The mean may not.
@@ -213,15 +218,59 @@ TEST(ActuatedDesign, IsTheSameWithAnyNumberOfThreads) {
 }
 
 TEST(ActuatedDesign, StoppedItKeepsThePathSoFar) {
-  for (const std::string last : {"actuate", "shaking", "pressing"}) {
+  for (const std::string last : {"releasing", "shaking", "pressing"}) {
     const ActuatedDesign piece = actuate_design(
         dome(0.3), {},
         [&](const std::string& what, double fraction) { return what != last || !(fraction > 0); });
     EXPECT_TRUE(piece.stopped);
+    EXPECT_TRUE(piece.relaxed);
     EXPECT_GE(piece.frames.size(), 1u);
-    EXPECT_EQ(piece.released.has_value(), last != "actuate");
+    EXPECT_EQ(piece.released.has_value(), last != "releasing");
     EXPECT_EQ(piece.shaken.has_value(), last == "pressing");
     EXPECT_FALSE(piece.pressed);
+  }
+}
+
+TEST(ActuatedDesign, StoppedBeforeItHasRelaxedItHasNoAnswer) {
+  EXPECT_THROW(actuate_design(dome(0.3), {},
+                              [](const std::string& what, double) { return what != "relaxing"; }),
+               Cancelled);
+}
+
+TEST(ActuatedDesign, RelaxedItStoresLessThanAnywhereNear) {
+  const Design design = dome(0.5);
+  const TileBodies bodies = make_tile_bodies(design);
+  const SolvedDesign solved = solve_design(bodies.geometry, design, {});
+  TileWorld world = make_tile_world(bodies, solved);
+  const double at_target = world.world->energy();
+  Path path(bodies, world, design.mesh, 0.5, {});
+  const RestState state = path.relax(nullptr);
+  ASSERT_TRUE(state.at_rest);
+  EXPECT_LT(state.energy, at_target);
+  const Poses rest = world.world->poses();
+  for (int seed = 0; seed < 8; ++seed) {
+    std::srand(seed);
+    for (double size : {1e-3, 1e-2}) {
+      world.world->set_poses(moved(rest, size * Motions::Random(rest.size(), 6), 3));
+      EXPECT_GT(world.world->energy(), state.energy);
+    }
+  }
+}
+
+TEST(ActuatedDesign, DistancesAreToTheWantedTarget) {
+  Design design = strip(10, 30, 0.3);
+  design.target = design.mesh;
+  design.target->V *= 1.05;
+  const ActuatedDesign piece = actuate(design, 0.3);
+  EXPECT_GT(piece.relaxed->scan.mean, 0.2);
+}
+
+TEST(ActuatedDesign, ItsSpreadHoldsRelaxedAndShaken) {
+  const ActuatedDesign piece = actuate(dome(0.3), 0.3);
+  ASSERT_TRUE(piece.spread);
+  for (double mean : {piece.relaxed->scan.mean, piece.shaken->scan.mean}) {
+    EXPECT_LE((*piece.spread)[0], mean);
+    EXPECT_GE((*piece.spread)[1], mean);
   }
 }
 

@@ -74,6 +74,28 @@ TEST(ConeProgram, SharesAWeightEvenly) {
   EXPECT_NEAR(solve(map, on_slope(20, 0), {0.5, false, 1e-8}).s, 1, 1e-7);
 }
 
+TEST(ConeProgram, SaysHowMuchFrictionIsToSpareOrLacking) {
+  DenseMap map = body_on(4);
+  for (double angle : {0.1, 0.6}) {
+    ConeOptions options{0.3, false, 1e-8};
+    options.weight = Eigen::VectorXd::Ones(4);
+    options.floor = 0.2;
+    const Vec3 b = on_slope(2, angle);
+    const ConeSolution solution = solve(map, b, options);
+    ASSERT_TRUE(solution.solve.converged());
+    // Shared evenly: |t| <= mu n - s.
+    EXPECT_NEAR(solution.s, 0.5 * (0.3 * std::cos(angle) - std::sin(angle)), 1e-7);
+    EXPECT_LT((map.apply(solution.force) + b).cwiseAbs().maxCoeff(), 1e-9);
+    for (int p = 0; p < 4; ++p) {
+      EXPECT_GE(solution.force(3 * p), 0.2 - 1e-7);
+      EXPECT_LE(solution.force.segment<2>(3 * p + 1).norm(),
+                0.3 * solution.force(3 * p) - solution.s + 1e-7);
+    }
+    // Multipliers of the cones share out what s is worth.
+    EXPECT_NEAR(solution.circle.col(0).sum(), 1, 1e-6);
+  }
+}
+
 TEST(ConeProgram, ABodySlidesBeyondTheAngleOfFriction) {
   constexpr double mu = 0.3, tolerance = 1e-6;
   DenseMap map = body_on(3);

@@ -7,6 +7,7 @@
 #include "curveups/core/parallel.hpp"
 #include "curveups/core/tolerances.hpp"
 #include "curveups/layout/layout.hpp"
+#include "curveups/physics/friction_needed.hpp"
 #include "curveups/physics/verification.hpp"
 #include "curveups/refinement/repair.hpp"
 #include "support/meshes.hpp"
@@ -222,6 +223,31 @@ TEST(Repair, OneThreadOrTwoGiveTheSameBits) {
   EXPECT_GT(a.largest_move, 0);
   EXPECT_EQ(a.design.T, b.design.T);
   EXPECT_EQ(a.design.q, b.design.q);
+}
+
+TEST(Repair, LetsADesignNeedLittleFriction) {
+  Design design = dome_design();
+  design.parameters.self_shaping = true;
+  const auto needed = [](const Design& d) {
+    const DesignGeometry geometry = make_geometry(d.mesh, d.cuts, d.parameters);
+    return find_friction_needed(solve_design(geometry, d, {}), geometry, {}).coefficient.value();
+  };
+  const RepairResult result = repair_design(design, {});
+  ASSERT_TRUE(result.solve.converged());
+  ASSERT_TRUE(result.verification && result.verification->valid);
+  expect_constraints_kept(result.design);
+  EXPECT_EQ(result.design.mesh.V, design.mesh.V);
+  EXPECT_LT(needed(result.design), 0.8 * needed(design));
+}
+
+TEST(Repair, StoppedWhileFrictionFallsItKeepsTheValidDesign) {
+  Design design = dome_design();
+  design.parameters.self_shaping = true;
+  const RepairResult result = repair_design(
+      design, [](const std::string& what, double) { return what != "repair: friction needed"; });
+  EXPECT_EQ(result.solve.status, SolveStatus::stopped);
+  ASSERT_TRUE(result.verification && result.verification->valid);
+  EXPECT_EQ(result.design.T, design.T);
 }
 
 }  // namespace

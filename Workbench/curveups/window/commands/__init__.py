@@ -14,8 +14,8 @@ _STEPS = ("CurveUps_NewDesign", "CurveUps_Check", "CurveUps_Solve", "CurveUps_Cu
 # What follows in the menu: menus below it by their names, and what stands there by itself.
 _MENUS = (
     (QT_TRANSLATE_NOOP("Workbench", "Design"),
-     ("CurveUps_Target", "CurveUps_Verify", "CurveUps_Repair", "CurveUps_Actuate", "CurveUps_BuildSolids",
-      "CurveUps_Report", "CurveUps_Kit")),
+     ("CurveUps_Target", "CurveUps_Verify", "CurveUps_Repair", "CurveUps_LittleFriction", "CurveUps_Actuate",
+      "CurveUps_BuildSolids", "CurveUps_Report", "CurveUps_Kit")),
     (QT_TRANSLATE_NOOP("Workbench", "Show"),
      ("CurveUps_ShowFlat", "CurveUps_ShowActuated", "CurveUps_ShowSolids", "CurveUps_WorstContacts")),
     ("", ("CurveUps_Examples",)),

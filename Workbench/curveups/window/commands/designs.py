@@ -38,6 +38,14 @@ def _starts(which: str) -> Work:
     return lambda design: show(SolvePanel, design).run(which)
 
 
+def _let_it_need_little_friction(design: Any) -> None:
+    """Sets SelfShaping, and goes on from the layout."""
+    title = translate("CurveUps_LittleFriction", "Let It Need Little Friction")
+    with actions.transaction(design.Document, title):
+        runs.assign(design, "SelfShaping", True)
+    show(SolvePanel, design).run("repair")
+
+
 def _other_panel(design: Any) -> str:
     return obstacle()
 
@@ -165,6 +173,13 @@ COMMANDS = (
         "CurveUps_Repair", QT_TRANSLATE_NOOP("CurveUps_Repair", "Repair"),
         QT_TRANSLATE_NOOP("CurveUps_Repair", "Move tiles and pins of the layout until weak contacts hold"),
         _starts("repair"), _other_panel, _not_ready("repair"), shortcut="C, R"),
+    DesignCommand(
+        "CurveUps_LittleFriction",
+        QT_TRANSLATE_NOOP("CurveUps_LittleFriction", "Let It Need Little Friction"),
+        QT_TRANSLATE_NOOP("CurveUps_LittleFriction",
+                          "Move pins and tiles of the layout until the design needs as little friction as it "
+                          "can, so that the piece comes to rest near its target"),
+        _let_it_need_little_friction, _other_panel, _not_ready("repair")),
     DesignCommand(
         "CurveUps_Actuate", QT_TRANSLATE_NOOP("CurveUps_Actuate", "Actuate"),
         QT_TRANSLATE_NOOP("CurveUps_Actuate",

@@ -14,7 +14,6 @@ from typing import Any, Callable, Mapping
 import numpy as np
 
 from ...base.native import native
-from ...stages.actuation import states
 from ...stages.feasibility import SAG
 
 TILE, SIDE, CONTACT, MEMBRANE = "tile", "side", "contact", "membrane"
@@ -178,13 +177,23 @@ def force_fields(verification: Any, contacts: np.ndarray, parameters: Any) -> li
     return fields
 
 
-def path_fields(block: Mapping[str, Any], contacts: np.ndarray) -> list[Field]:
-    """Of the end of a path from flat (stages/actuation.py)."""
-    last = list(states(block).values())[-1:]
-    still = {tuple(sorted(pair)) for one in last for pair in one["open_contacts"]}
-    return [Field("Open contacts", "", CONTACT,
+def path_fields(found: Any, contacts: np.ndarray) -> list[Field]:
+    """Of the built piece (stages/actuation.py)."""
+    still = {tuple(sorted(pair)) for pair in found.states[found.built]["open_contacts"]}
+    return [Field("Distance of the built shape", "mm", TILE, lambda: found.deviation(found.built), "high",
+                  part="Layout", shape=(len(found.design.F),)),
+            Field("Open contacts", "", CONTACT,
                   lambda: [tuple(sorted(pair)) in still for pair in contacts.tolist()], "high", 0.5, "cross",
                   problem="contacts that stay open", part="Layout")]
+
+
+def friction_fields(settled: Any, count: int) -> list[Field]:
+    """Of the least friction (stages/settle.py), of `count` tiles."""
+    needed = settled.friction_needed
+    if not needed or needed["coefficient"] is None:
+        return []
+    return [Field("Friction needed most", "", TILE, lambda: np.isin(np.arange(count), needed["tiles"]),
+                  "high", part="Verification", shape=(count,))]
 
 
 def _by_contact(figures: Any, name: str, contacts: np.ndarray) -> np.ndarray:

@@ -12,7 +12,7 @@ import numpy as np
 from ...base.native import native
 from ...stages.actuation import moved
 from .fields import (MEMBRANE, SIDE, TILE, Field, check_fields, design_fields, deviation_field, force_fields,
-                     path_fields, target_fields)
+                     friction_fields, path_fields, target_fields)
 from .prisms import SLOTS
 
 
@@ -226,7 +226,7 @@ def scene_of(project: Any) -> Optional[Scene]:
 def path_scene_of(found: Any) -> Scene:
     """Of the design whose path from flat this is (stages/actuation.py), for `Scene.posed`."""
     design, shapes = found.design, native.tile_shapes(found.design)
-    fields = path_fields(found.block, shapes.contacts)
+    fields = path_fields(found, shapes.contacts)
     return Scene(design.V, design.F, design.cuts, design.parameters, **shapes_of(shapes, design.parameters),
                  fields={one.name: one for one in fields})
 
@@ -288,6 +288,9 @@ def _of_design(project: Any, design: Any) -> Scene:
         if made is not None and made.judged and len(made.design.F) == len(design.F):
             fields += force_fields(made, shapes.contacts, parameters)
             break
+    settled = project.latest("settle")
+    if settled is not None and settled.design is not None and len(settled.design.F) == len(design.F):
+        fields += friction_fields(settled, len(design.F))
     fields += design_fields(design, shapes.contacts)
     fields += _deviation(project, design.V, design.F, "Layout")
     fields += target_fields(design.V, design.F, design.cuts, parameters, shapes.contacts, False)

@@ -73,20 +73,21 @@ class ActuatePanel(Panel):
             with translated(self.design.Label):
                 self._scene = path_scene_of(found)
         before = form.frame.blockSignals(True)
-        form.frame.setRange(0, len(found.time) - 1 if found else 0)
+        form.frame.setRange(0, max(len(found.time) - 1, 0) if found else 0)
         form.frame.setValue(form.frame.maximum())
         form.frame.blockSignals(before)
         form.at.setText("")
         lacks = "" if found else translate("CurveUps_Actuate", "There is no path yet")
         for part in (form.frame, form.play, form.save):
-            enable(part, lacks)
+            enable(part, lacks or ("" if found and len(found.time) else translate(
+                "CurveUps_Actuate", "The run was stopped before the path")))
         enable(form.select, lacks or ("" if found and found.open_tiles else translate(
             "CurveUps_Actuate", "All contacts close")))
 
     def _draw(self) -> None:
         """The frame of the slider."""
         found = self._found
-        if self.form is None or found is None or LIVE.runs_on(self.design):
+        if self.form is None or found is None or not len(found.time) or LIVE.runs_on(self.design):
             return
         number = self.form.frame.value()
         if uncover(self.design):  # and the view is about to show the design
