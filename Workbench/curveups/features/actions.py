@@ -65,7 +65,9 @@ def _repaired(design: Any) -> Project:
     layout = stored.latest("layout") or Layout(finished.design, True, False, 0, 0, 0, 0.0, {}, 0.0)
     given = {name: result for name in ("source", "target", "cuts") if (result := stored.latest(name))}
     given["layout"] = replace(layout, design=finished.design)
-    return Project(standing.name, standing.parameters, given, standing.where)
+    parameters = native.Parameters(standing.parameters)
+    parameters.set("self_shaping", design.SelfShaping)  # of the layout's parameters, repair's alone
+    return Project(standing.name, parameters, given, standing.where)
 
 
 RUNS = {

@@ -117,7 +117,7 @@ def _expected(block: Mapping[str, Any]) -> list[Finding]:
     if len(found) < len(STATES) or not all(one["converged"] for one in found.values()) or not spread:
         return []
     shaken, count = found[SHAKEN], len(found[SHAKEN]["open_contacts"])
-    return [Finding.about("actuation_expected." + ("open" if count else "closed"),
+    return [Finding.about("actuation_expected.open" if count else "actuation_expected.closed",
                           (tile for pair in shaken["open_contacts"] for tile in pair),
                           mean=shaken["mean_mm"], largest=shaken["max_mm"], low=spread[0], high=spread[1],
                           open=count, pressed=found["pressed"]["mean_mm"])]

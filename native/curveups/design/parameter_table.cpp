@@ -163,16 +163,16 @@ std::vector<ParameterInfo> make_table() {
      keeps_layout, physics, &P::held_tiles, 0, 0, {}, "tiles"},
     {"density", "g/cm3", "Physics", "Density of the tiles. It gives them their weight.",
      keeps_layout, physics, &P::density, 0, 30},
+    {"self_shaping", "", "Repair",
+     "Move pins and tiles after repair until the design needs as little friction as it can, so that "
+     "the piece comes to rest near the target by itself.",
+     basic, reader::repair, &P::self_shaping},
     {"run_verification", "", "Stages",
      "Compute membranes and contact forces, and decide whether the design is valid.",
      0, physics, &P::run_verification},
     {"run_repair", "", "Stages",
      "Give pins more space before the layout, and repair weak contacts after verification.",
      0, reader::repair, &P::run_repair},
-    {"self_shaping", "", "Stages",
-     "After repair, move pins and tiles on until the design needs as little friction as it can, so "
-     "that the piece comes to rest near the target by itself.",
-     basic, reader::repair, &P::self_shaping},
     {"run_settling", "", "Stages",
      "Let the tiles settle under their membranes, with friction, and report whether the shape "
      "holds.",

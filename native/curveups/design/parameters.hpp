@@ -65,10 +65,11 @@ struct Parameters {
   std::string gravity = "off";
   std::string held_tiles;  // as listed_tiles reads them
   double density = 1.18;
+  // Repair
+  bool self_shaping = false;
   // Stages
   bool run_verification = true;
   bool run_repair = true;
-  bool self_shaping = false;
   bool run_settling = true;
   std::string margin = "report";
   bool window = false;

@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/numerics/block_matrix.hpp"
 #include "curveups/numerics/one_thread.hpp"
@@ -234,6 +235,7 @@ VectorXd LeastStepMethod::solve(const VectorXd& right) const {
     r -= length * along;
     y = solve_rows(r);
     const double next = r.dot(y);
+    checkpoint();
     p = y + next / now * p;
     now = next;
   }

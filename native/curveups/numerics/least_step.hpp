@@ -46,7 +46,7 @@ struct LeastStep {
   SolveReport solve;
 };
 
-// Throws SolverFailure where the problem holds numbers that are not finite.
+// Throws SolverFailure where the problem holds numbers that are not finite; Cancelled.
 LeastStep solve_least_step(const LeastStepProblem& problem);
 
 }  // namespace curveups

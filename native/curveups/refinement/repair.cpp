@@ -88,6 +88,7 @@ class Repair {
   int max_steps_;
   Design design_;        // as given
   SolvedHandle solved_;  // of it, or null
+  SolvedHandle fresh_;   // of the place judged last
   const Parameters& parameters_;
   VertexPlaces target_;
   Array6 caps_;           // upper bounds of insets beside membranes that were too low
@@ -151,16 +152,16 @@ Design Repair::design_here() const {
 Judgement Repair::judge_fresh(RepairResult& result) {
   if (!keep_going(progress_, "repair: fresh membranes")) throw Cancelled();
   const bool given = here_.vertices() == given_.vertices() && here_.state == given_.state;
-  const SolvedHandle fresh = given && solved_ ? solved_
-                                              : std::make_shared<const SolvedDesign>(solve_design(
-                                                    here_.geometry(), design_here(), progress_));
-  Judgement now = tracked_.judge_fresh(here_, *fresh);
-  touches_ = find_touches(here_.geometry(), *fresh);
+  fresh_ = given && solved_ ? solved_
+                            : std::make_shared<const SolvedDesign>(
+                                  solve_design(here_.geometry(), design_here(), progress_));
+  Judgement now = tracked_.judge_fresh(here_, *fresh_);
+  touches_ = find_touches(here_.geometry(), *fresh_);
   for (const Touch& touch : touches_) now.depth = std::max(now.depth, -touch.clearance);
   if (now.valid()) {
-    result.verification = verify_solved(here_.geometry(), fresh, progress_);
+    result.verification = verify_solved(here_.geometry(), fresh_, progress_);
   } else {
-    tracked_.follow(here_, *fresh, now);
+    tracked_.follow(here_, *fresh_, now);
   }
   return now;
 }
@@ -349,10 +350,9 @@ void Repair::search(RepairResult& result) {
 // Gauss-Newton steps of all poses and insets that lower the friction that balance asks for, with
 // the constraints of the layout and weak forces kept, for as long as they get on.
 void Repair::lower_friction(RepairResult& result) {
-  const SolvedDesign fresh = solve_design(here_.geometry(), design_here(), progress_);
-  Judgement now = tracked_.judge_fresh(here_, fresh);
-  tracked_.follow(here_, fresh, now);
-  const Wrenches correction = fresh.loads - tracked_.forces().loads();
+  Judgement now = best_->judgement;
+  tracked_.follow(here_, *fresh_, now);
+  const Wrenches correction = fresh_->loads - tracked_.forces().loads();
   const auto objective_here = [&] {
     return std::make_unique<FrictionObjective>(here_.geometry(), parameters_,
                                                tracked_.forces().loads() + correction, now.mean);
@@ -395,10 +395,11 @@ void Repair::lower_friction(RepairResult& result) {
   }
 }
 
-// Goes on from a valid place, which stays the best where no better one is valid.
+// Goes on from a valid place, judged last, which stays the best where no better one is valid.
 void Repair::shape(RepairResult& result) {
   const Judged valid = *best_;
   const std::optional<VerificationReport> verification = result.verification;
+  const double restored = result.restored_mm;
   const auto go_back = [&] {
     best_ = valid;
     result.verification = verification;
@@ -411,6 +412,7 @@ void Repair::shape(RepairResult& result) {
     go_back();
     throw;
   }
+  result.restored_mm = restored;
   if (!best_->judgement.valid()) go_back();
 }
 
