@@ -178,6 +178,20 @@ def test_the_step_file_has_the_tiles_where_shaking_ends(risen):
     assert (near < 1e-3).sum() > 12
 
 
+def test_a_design_that_needs_little_friction_is_asked_for_by_a_flag(curveups, tmp_path):
+    reports = []
+    for flags in ((), ("--self-shaping",)):
+        ran = curveups("design", "half-sphere", "-o", tmp_path, "--no-solids", "--set", "L=14", *flags)
+        assert ran.status == 0, ran.err
+        reports.append(json.loads((tmp_path / "report.json").read_text("utf-8")))
+        check(reports[-1]["friction_needed"], OPTIONAL["friction_needed"], "friction_needed")
+        needed = reports[-1]["friction_needed"]["coefficient"]
+        assert f"needs friction {needed:.2g}" in ran.err and reports[-1]["friction_needed"]["tiles"]
+    before, after = (one["friction_needed"]["coefficient"] for one in reports)
+    assert after < 0.6 * before and after < reports[1]["unilateral"]["friction_coefficient"]
+    assert reports[1]["deviation"] == reports[0]["deviation"]  # the surface stays where it is
+
+
 def test_the_command_shows_what_the_stage_finds(risen, project):
     assert asked_by("actuate") == (RISEN,)
     assert RISEN not in asked_by("check", "cuts", "solve", "settle", "verify", "build", "print")
