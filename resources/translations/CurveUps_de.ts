@@ -211,6 +211,10 @@
       <translation>Jede Wand, die ohne Noppen an einer anderen liegt, um so viel zurücksetzen. Das gleicht aus, dass gedruckte Wände wachsen (XY-Kompensation). Von 0 bis 1 mm. Wirkt sofort.</translation>
     </message>
     <message>
+      <source>Move pins and tiles after repair until the design needs as little friction as it can, so that the piece comes to rest near the target by itself. Takes effect with Solve.</source>
+      <translation>Stifte und Kacheln nach der Reparatur bewegen, bis der Entwurf so wenig Reibung braucht wie möglich und das Teil von selbst nahe am Ziel zur Ruhe kommt. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
       <source>Multiply the coordinates of a file without units by this factor (1000 for metres). From 1e-06 to 1e+06. Takes effect with Solve.</source>
       <translation>Die Koordinaten einer Datei ohne Einheiten mit diesem Faktor multiplizieren (1000 für Meter). Von 1e-06 bis 1e+06. Wirkt mit „Lösen“.</translation>
     </message>
@@ -2529,8 +2533,8 @@
       <translation>losgelassen und gerüttelt, dürfte das Teil im Mittel {mean:.2g mm} vom Ziel liegen ({low:.2g mm} bis {high:.2g mm}), höchstens {largest:.2g mm}; alle Kontakte schließen. Über die Form gedrückt kommt es bis auf {pressed:.2g mm} heran</translation>
     </message>
     <message>
-      <source>released and shaken, the piece is expected to lie {mean:.2g mm} from the target on average ({low:.2g mm} to {high:.2g mm}), {largest:.2g mm} at most; {open} contacts stay open. Pressed over the former it comes within {pressed:.2g mm}</source>
-      <translation>losgelassen und gerüttelt, dürfte das Teil im Mittel {mean:.2g mm} vom Ziel liegen ({low:.2g mm} bis {high:.2g mm}), höchstens {largest:.2g mm}; {open} Kontakte bleiben offen. Über die Form gedrückt kommt es bis auf {pressed:.2g mm} heran</translation>
+      <source>released and shaken, the piece is expected to lie {mean:.2g mm} from the target on average ({low:.2g mm} to {high:.2g mm}), {largest:.2g mm} at most; {open} of {count} contacts stay open. Pressed over the former it comes within {pressed:.2g mm}</source>
+      <translation>losgelassen und gerüttelt, dürfte das Teil im Mittel {mean:.2g mm} vom Ziel liegen ({low:.2g mm} bis {high:.2g mm}), höchstens {largest:.2g mm}; {open} von {count} Kontakten bleiben offen. Über die Form gedrückt kommt es bis auf {pressed:.2g mm} heran</translation>
     </message>
     <message>
       <source>released, it comes to rest {mean:.3g mm} from the target in the mean, {largest:.3g mm} at most; {open} of {count} contacts stay open</source>

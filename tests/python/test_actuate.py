@@ -85,7 +85,7 @@ def block_of(**changed):
 def test_each_state_has_its_words():
     expected, relaxed, by_itself, shaken, pressed = findings(block_of())
     assert "1.5 mm from the target on average (1.2 mm to 1.8 mm)" in str(expected), str(expected)
-    assert "2 contacts stay open" in str(expected) and expected.tiles == (0, 1, 3, 5)
+    assert "2 of 9 contacts stay open" in str(expected) and expected.tiles == (0, 1, 3, 5)
     closed, *_ = findings(block_of(shaken={**block_of()["shaken"], "open_contacts": []}))
     assert "all contacts close. Pressed over the former it comes within 1.5 mm" in str(closed)
     assert "1.25 mm from the target" in str(relaxed)

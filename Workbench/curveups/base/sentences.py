@@ -99,8 +99,8 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
                                  "{pressed:.2g mm}",
     "actuation_expected.open": "released and shaken, the piece is expected to lie {mean:.2g mm} from the "
                                "target on average ({low:.2g mm} to {high:.2g mm}), {largest:.2g mm} at most; "
-                               "{open} contacts stay open. Pressed over the former it comes within "
-                               "{pressed:.2g mm}",
+                               "{open} of {count} contacts stay open. Pressed over the former it comes "
+                               "within {pressed:.2g mm}",
     "actuation_relaxed": "without friction, its energy is least {mean:.3g mm} from the target in the mean, "
                          "{largest:.3g mm} at most; {open} of {count} contacts are open there",
     "actuation_by_itself": "released, it comes to rest {mean:.3g mm} from the target in the mean, "

@@ -120,7 +120,8 @@ def _expected(block: Mapping[str, Any]) -> list[Finding]:
     return [Finding.about("actuation_expected.open" if count else "actuation_expected.closed",
                           (tile for pair in shaken["open_contacts"] for tile in pair),
                           mean=shaken["mean_mm"], largest=shaken["max_mm"], low=spread[0], high=spread[1],
-                          open=count, pressed=found["pressed"]["mean_mm"])]
+                          open=count, count=block["contacts"],
+                          pressed=found["pressed"]["mean_mm"])]
 
 
 def _of_state(name: str, state: Mapping[str, Any], contacts: int) -> Finding:

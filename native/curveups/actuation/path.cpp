@@ -26,7 +26,7 @@ constexpr double stalled_part = 1e-4;
 constexpr int relaxing_steps = 60, most_rounds = 3;
 constexpr double element_tolerance = 0.01;
 
-// Of a tap: steps without friction and steps with it.
+// Steps of a tap: without friction, and with it.
 constexpr int most_taps = 40, free_steps = 6, held_steps = 3;
 constexpr double weak_tap = 1e-4;       // part of the energy
 constexpr int pressed_steps = 40;       // without friction, and as many with it
@@ -262,7 +262,7 @@ RestState Path::finish(int most_frames) {
   return state_;
 }
 
-// What the piece is like where it is.
+// Describes the piece as it stands.
 void Path::describe() {
   const Finishing finishing;
   state_.tiles = frame_rows(tiles_, tile_poses());

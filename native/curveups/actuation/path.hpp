@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Where a piece comes to rest: relaxed from its target without friction; and on the path from flat,
-// released, then shaken, then pressed over its former and let go.
+// States in which a piece comes to rest: relaxed from its target without friction; and on the path
+// from flat, released, then shaken, then pressed over its former and let go.
 //
 // One integrator (contact/contact_world) moves the tiles under all loads. Relaxed, each step is
 // solved to its end: the minimum of energy is all that counts. On the path the motion is
@@ -22,7 +22,7 @@ struct PathOptions {
   int most_frames = 60;  // about, of the release, evenly by how far tiles move, with both ends
 };
 
-// Of the path.
+// Frame of the path.
 struct PathFrame {
   LoadCase load = LoadCase::released;
   double time = 0;      // s, under the drag

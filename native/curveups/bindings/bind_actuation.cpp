@@ -7,34 +7,16 @@
 namespace curveups::bindings {
 namespace {
 
-const char* name_of(LoadCase load) {
-  switch (load) {
-    case LoadCase::relaxed:
-      return "relaxed";
-    case LoadCase::released:
-      return "by_itself";
-    case LoadCase::shaken:
-      return "shaken";
-    default:
-      return "pressed";
-  }
-}
-
-const std::optional<RestState>& state_of(const ActuatedDesign& design, LoadCase load) {
-  switch (load) {
-    case LoadCase::relaxed:
-      return design.relaxed;
-    case LoadCase::released:
-      return design.released;
-    case LoadCase::shaken:
-      return design.shaken;
-    default:
-      return design.pressed;
-  }
-}
-
-constexpr LoadCase load_cases[] = {LoadCase::relaxed, LoadCase::released, LoadCase::shaken,
-                                   LoadCase::pressed};
+// States by their load cases, as report.json names them.
+struct NamedState {
+  const char* name;
+  LoadCase load;
+  std::optional<RestState> ActuatedDesign::*state;
+};
+constexpr NamedState states[] = {{"relaxed", LoadCase::relaxed, &ActuatedDesign::relaxed},
+                                 {"by_itself", LoadCase::released, &ActuatedDesign::released},
+                                 {"shaken", LoadCase::shaken, &ActuatedDesign::shaken},
+                                 {"pressed", LoadCase::pressed, &ActuatedDesign::pressed}};
 
 // Distances are None where the piece came to no rest.
 py::object state_block(LoadCase load, const std::optional<RestState>& state) {
@@ -63,7 +45,7 @@ py::dict block(const ActuatedDesign& design) {
   out["friction_coefficient"] = design.friction_coefficient;
   out["contacts"] = design.contacts;
   out["stopped"] = design.stopped;
-  for (LoadCase load : load_cases) out[name_of(load)] = state_block(load, state_of(design, load));
+  for (const auto& [name, load, state] : states) out[name] = state_block(load, design.*state);
   py::dict spread;
   spread["mean_mm"] = design.spread;
   spread["varied"] = std::vector<std::string>{"friction", "membrane_mismatch"};
@@ -73,12 +55,12 @@ py::dict block(const ActuatedDesign& design) {
 
 // A row a state that there is.
 Eigen::MatrixXd deviations(const ActuatedDesign& design) {
-  std::vector<const RestState*> states;
-  for (LoadCase load : load_cases) {
-    if (const auto& state = state_of(design, load)) states.push_back(&*state);
+  std::vector<Eigen::VectorXd> rows;
+  for (const NamedState& named : states) {
+    if (const auto& state = design.*named.state) rows.push_back(state->deviation);
   }
-  Eigen::MatrixXd out(static_cast<Eigen::Index>(states.size()), states[0]->deviation.size());
-  for (Eigen::Index s = 0; s < out.rows(); ++s) out.row(s) = states[s]->deviation.transpose();
+  Eigen::MatrixXd out(static_cast<Eigen::Index>(rows.size()), rows[0].size());
+  for (Eigen::Index s = 0; s < out.rows(); ++s) out.row(s) = rows[s].transpose();
   return out;
 }
 
@@ -97,7 +79,9 @@ std::vector<FrameRows> tiles_of_frames(const ActuatedDesign& design) {
 
 std::vector<std::string> loads_of_frames(const ActuatedDesign& design) {
   std::vector<std::string> out;
-  for (const PathFrame& frame : design.frames) out.emplace_back(name_of(frame.load));
+  for (const PathFrame& frame : design.frames) {
+    out.emplace_back(states[static_cast<int>(frame.load)].name);
+  }
   return out;
 }
 

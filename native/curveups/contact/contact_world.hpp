@@ -4,7 +4,7 @@
 // by Newton's method on one sparse pattern, with friction caps c that are mu times the normal
 // forces at its end, and remembers where friction stuck. It is an implicit Euler step of h = 1 / w
 // under a drag of w (E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, 1996, IV.7).
-// What comes to rest is at rest under E and Coulomb's law alone.
+// Bodies that come to rest are at rest under E and Coulomb's law alone.
 //
 // Two load cases of the one integrator: bodies that are let go beside their place settle, each step
 // solved to the end; bodies far from rest follow a path, a few iterations a step, as the way

@@ -22,7 +22,8 @@ constexpr int max_iterations = 80;
 // make up for it. Without, a met row's weight grows until rounding of its value outweighs the
 // multiplier.
 constexpr double least_give = 1e-11;
-// Of conjugate gradients: relative, in the preconditioner's norm.
+// Iterations of conjugate gradients, and their residual relative to the first, in the
+// preconditioner's norm.
 constexpr int most_krylov_iterations = 200;
 constexpr double krylov_tolerance = 1e-2;
 

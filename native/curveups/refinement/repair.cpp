@@ -88,7 +88,7 @@ class Repair {
   int max_steps_;
   Design design_;        // as given
   SolvedHandle solved_;  // of it, or null
-  SolvedHandle fresh_;   // of the place judged last
+  SolvedHandle fresh_;   // of the place judged last, where that is valid
   const Parameters& parameters_;
   VertexPlaces target_;
   Array6 caps_;           // upper bounds of insets beside membranes that were too low
@@ -162,6 +162,7 @@ Judgement Repair::judge_fresh(RepairResult& result) {
     result.verification = verify_solved(here_.geometry(), fresh_, progress_);
   } else {
     tracked_.follow(here_, *fresh_, now);
+    fresh_.reset();
   }
   return now;
 }
@@ -353,6 +354,7 @@ void Repair::lower_friction(RepairResult& result) {
   Judgement now = best_->judgement;
   tracked_.follow(here_, *fresh_, now);
   const Wrenches correction = fresh_->loads - tracked_.forces().loads();
+  fresh_.reset();
   const auto objective_here = [&] {
     return std::make_unique<FrictionObjective>(here_.geometry(), parameters_,
                                                tracked_.forces().loads() + correction, now.mean);

@@ -178,7 +178,7 @@ def force_fields(verification: Any, contacts: np.ndarray, parameters: Any) -> li
 
 
 def path_fields(found: Any, contacts: np.ndarray) -> list[Field]:
-    """Of the built piece (stages/actuation.py)."""
+    """Fields of the built piece (stages/actuation.py)."""
     still = {tuple(sorted(pair)) for pair in found.states[found.built]["open_contacts"]}
     return [Field("Distance of the built shape", "mm", TILE, lambda: found.deviation(found.built), "high",
                   part="Layout", shape=(len(found.design.F),)),
@@ -188,7 +188,7 @@ def path_fields(found: Any, contacts: np.ndarray) -> list[Field]:
 
 
 def friction_fields(settled: Any, count: int) -> list[Field]:
-    """Of the least friction (stages/settle.py), of `count` tiles."""
+    """Fields of the friction needed (stages/settle.py), for `count` tiles."""
     needed = settled.friction_needed
     if not needed or needed["coefficient"] is None:
         return []
