@@ -40,7 +40,7 @@ OPTIONAL = {
                 "open_contacts": list, "largest_slip_mm": NUMBER, "drift_mm": NUMBER,
                 "scan": {name: NUMBER for name in ("mean_mm", "rms_mm", "p95_mm", "max_mm",
                                                    "hausdorff_mm")}},
-    "friction_needed": {"coefficient": NUMBER, "tiles": list},
+    "friction_needed": {"coefficient": None, "tiles": list},  # a number, or null where none is enough
     "margin": {"mode": TEXT, "mismatch_percent": NUMBER, "friction_coefficient": NUMBER, "met": None},
     "actuation": {"friction_coefficient": NUMBER, "contacts": COUNT, "stopped": bool, "relaxed": dict,
                   "by_itself": dict, "shaken": dict, "pressed": dict, "spread": dict},

@@ -60,7 +60,7 @@ def test_every_parameter_is_a_property_with_unit_group_and_tooltip(dome_document
     groups = sorted({design.getGroupOfProperty(name) for name in names})
     heads = [group[2:] for group in groups]
     assert [name for name in heads if ", more" not in name] == [
-        "Target", "Tiles", "Layout", "Physics", "Bumps", "Support", "Anchors", "Files"]
+        "Target", "Tiles", "Layout", "Physics", "Repair", "Bumps", "Support", "Anchors", "Files"]
     assert all(f"{name}, more" == heads[heads.index(name) + 1] for name in ("Target", "Layout"))
     assert design.CurveUpsVersion
 
