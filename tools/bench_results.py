@@ -27,36 +27,23 @@ def _seconds(row: Row, *names: str) -> str:
     return _number(total if ran else None, 1 if total < 10 else 0)
 
 
-def _repair(row: Row) -> str:
-    repair = row.get("repair")
-    if not repair:
-        return "-"
-    steps = repair["steps"]
-    return (f"{steps[0]['weak_points']} weak points, {len(steps) - 1} steps, poses and pins by"
-            f" {repair['largest_move_mm']:.2f} mm, vertices by {repair['largest_vertex_move_mm']:.2f} mm")
-
-
 def _forces(row: Row) -> list[str]:
-    physics, forces, unilateral = (row.get(name, {}) for name in ("physics", "contact_forces", "unilateral"))
-    if not forces:
-        return ["-"] * 5
+    """Of contacts: mean and least normal force, mean relative friction, largest floor over the mean."""
+    forces, unilateral = row.get("contact_forces"), row.get("unilateral")
+    if not forces or not unilateral:
+        return ["-"] * 3
     mean = forces["normal_mean"]
-    return [f"{physics['triangles']:,}", " + ".join(map(str, physics["newton_iterations_fine"])),
-            f"{mean:.2f} / {forces['normal_min']:.2f}", _number(forces["friction_ratio_mean"]),
+    return [f"{mean:.2f}, {forces['normal_min']:.2f}", _number(forces["friction_ratio_mean"]),
             _number(unilateral["largest_floor"] / mean)]
 
 
 TABLES: Tables = {
-    "seconds": lambda row: [
-        str(row["tiles"]), _seconds(row, "remesh"), _seconds(row, "flatten", "layout"),
-        _seconds(row, "verify"), _seconds(row, "refine"),
-        _number(row["seconds_to_valid"], 1), _number(row["paper_seconds"], 0),
-        _number(row["seconds_to_holds"], 1), _seconds(row, "solids", "check"),
-        _number(row["seconds_files"], 1), _number(row["seconds_waited"], 1),
-        _number(row["peak_memory_mb"], 0)],
-    "forces": lambda row: [
+    "models": lambda row: [
         str(row["tiles"]), _number(row["area"].get("ratio")), *_forces(row),
-        {True: "yes", False: "no", None: "not judged"}[row["valid"]], _repair(row)],
+        _seconds(row, "flatten", "layout"), _seconds(row, "verify"), _seconds(row, "refine"),
+        _number(row["seconds_to_valid"], 1), _number(row["paper_seconds"], 0),
+        _number(row["seconds_to_holds"], 1), _number(row["seconds_waited"], 1),
+        _number(row["peak_memory_mb"], 0)],
 }
 
 

@@ -42,7 +42,7 @@ def main() -> int:
     parser.add_argument("--models", type=Path, metavar="DIR", help="a folder with target meshes")
     parser.add_argument("--only", metavar="NAME,...", help="only these models")
     parser.add_argument("--json", type=Path, metavar="FILE", help="write the figures there")
-    parser.add_argument("--results", action="store_true", help=f"renew the tables of {RESULTS.name}")
+    parser.add_argument("--results", action="store_true", help=f"renew the table of {RESULTS.name}")
     options = parser.parse_args()
     if options.models and not options.models.is_dir():
         parser.error(f"{options.models} is no folder")
