@@ -21,14 +21,14 @@ def _number(value: float | None, digits: int = 2) -> str:
 
 
 def _seconds(row: Row, *names: str) -> str:
-    """Of stages, all their runs together; as many digits as mean something."""
+    """Seconds of all runs of stages, with as many digits as mean something."""
     total = sum(stage["seconds"] for stage in row["stages"] if stage["name"] in names)
     ran = any(stage["name"] in names for stage in row["stages"])
     return _number(total if ran else None, 1 if total < 10 else 0)
 
 
 def _forces(row: Row) -> list[str]:
-    """Of contacts: mean and least normal force, mean relative friction, largest floor over the mean."""
+    """Mean and least normal force, mean relative friction, largest floor over the mean force."""
     forces, unilateral = row.get("contact_forces"), row.get("unilateral")
     if not forces or not unilateral:
         return ["-"] * 3
