@@ -149,7 +149,7 @@ def compare(options: Any, reporter: Reporter) -> int:
     if expected := comparing.predicted(options.design):
         found["predicted"] = expected
     comparing.write_comparison(design, found, options.output)
-    for line in comparing.said(found):
+    for line in comparing.summary(found):
         _answer(line)
     return VALID
 

@@ -16,8 +16,8 @@ from ..base.errors import CurveUpsError, tile_name
 from ..base.native import native
 from ..base.output import Folder
 from ..report import html
-from ..report.data import table, to_text
-from ..stages.stage import Job
+from ..report.data import to_text
+from ..stages.stage import Job, Picture
 from ..targets.target_files import read_target
 
 FORMAT, VERSION = "curveups-compare", 1
@@ -160,36 +160,36 @@ def predicted(path: Path) -> dict[str, Any]:
         return {}
 
 
-def write_comparison(design: Any, found: dict[str, Any], path: Path) -> None:
+def write_comparison(design: Any, comparison: dict[str, Any], path: Path) -> None:
     """compare.json comes last."""
-    rows = found.pop("points")
+    rows = comparison.pop("points")
     with Folder(path) as folder:
         folder.remove(*FILES)
         folder.write_text("deviation.csv", "x,y,z,deviation_mm\n" + "".join(
             "%.4f,%.4f,%.4f,%.4f\n" % tuple(row) for row in rows.tolist()))
-        folder.write_text("compare.html", _page(design, found))
-        folder.write_text("compare.json", to_text(found))
+        folder.write_text("compare.html", _page(design, comparison))
+        folder.write_text("compare.json", to_text(comparison))
 
 
-def said(found: dict[str, Any]) -> list[str]:
+def summary(comparison: dict[str, Any]) -> list[str]:
     """Lines for a terminal and the page."""
-    block = found["deviation"]
+    block = comparison["deviation"]
     lines = [f"mean {block['mean_mm']:.3f} mm, RMS {block['rms_mm']:.3f} mm, 95 % below "
              f"{block['p95_mm']:.3f} mm, largest {block['max_mm']:.3f} mm, Hausdorff "
              f"{block['hausdorff_mm']:.3f} mm",
-             f"{found['points_given']} points cover {100 * found['covered']:.0f} % of the tiles"]
-    pose = found["pose"]
+             f"{comparison['points_given']} points cover {100 * comparison['covered']:.0f} % of the tiles"]
+    pose = comparison["pose"]
     lines.append(f"the pose is certain to {max(pose['translation_sd_mm']):.2g} mm and "
                  f"{max(pose['rotation_sd_deg']):.2g} deg (standard deviations, for independent noise of "
                  f"{pose['noise_mm']:.2g} mm)")
-    if "predicted" in found:
-        block = found["predicted"]
+    if "predicted" in comparison:
+        block = comparison["predicted"]
         lines.append(f"settled forces predict: mean {block['deviation']['mean_mm']:.3f} mm, largest "
                      f"{block['deviation']['max_mm']:.3f} mm, open contacts: {_pairs(block['open'])}")
-    if not found["turn_fixed"]:
-        lines.append(f"the shape does not fix how the scan is turned: {found['other_turns']} other turns "
-                     "or more fit as well, so there is nothing to say of single tiles; mark some tiles, and "
-                     "give the markers")
+    if not comparison["turn_fixed"]:
+        lines.append("the shape does not fix how the scan is turned: "
+                     f"{comparison['other_turns']} other turns or more fit as well, so there is nothing to "
+                     "say of single tiles; mark some tiles, and give the markers")
     return lines
 
 
@@ -198,18 +198,17 @@ def _pairs(rows: list[list[int]]) -> str:
     return ", ".join(names + [f"and {len(rows) - 8} more"] * (len(rows) > 8)) or "none"
 
 
-def _page(design: Any, found: dict[str, Any]) -> str:
-    title = f"{design.name}: scan beside the design"
-    expected = found.get("predicted", {}).get("deviation", {})
-    parts = [f"<h1>{title}</h1>", html.list_of(said(found), "ul"),
-             table([(name[:-3].replace("_", " ") + ", mm", f"{value:.4f}", expected.get(name))
-                    for name, value in found["deviation"].items()],
-                   ("Deviation", "Scan", "Predicted by settled forces"))]
-    if found["turn_fixed"]:
+def _page(design: Any, comparison: dict[str, Any]) -> str:
+    expected = comparison.get("predicted", {}).get("deviation", {})
+    picture = None
+    if comparison["turn_fixed"]:
         values = np.full(len(design.F), np.nan)
-        for one in found["tiles"]:
-            values[int(one["tile"][1:]) - 1] = one["median_mm"]
-        parts += html.pictured("flat", "Median deviation of each tile, on the flat layout. Tiles without "
-                               "colour have no points.",
-                               design=design, values=values, label="median deviation, mm")
-    return html.page(title, parts)
+        for tile in comparison["tiles"]:
+            values[int(tile["tile"][1:]) - 1] = tile["median_mm"]
+        picture = Picture("", "Median deviation of each tile, on the flat layout. Tiles without colour have "
+                          "no points.", "flat",
+                          {"design": design, "values": values, "label": "median deviation, mm"})
+    rows = [(html.words(name[:-3]) + ", mm", f"{value:.4f}", expected.get(name))
+            for name, value in comparison["deviation"].items()]
+    return html.render("compare.html", title=f"{design.name}: scan beside the design",
+                       lines=summary(comparison), rows=rows, picture=picture)
