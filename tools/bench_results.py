@@ -21,7 +21,7 @@ def _number(value: float | None, digits: int = 2) -> str:
 
 
 def _seconds(row: Row, *names: str) -> str:
-    """Of stages, all their runs together; as many digits as mean something."""
+    """Seconds of stages, all their runs together; as many digits as mean something."""
     total = sum(stage["seconds"] for stage in row["stages"] if stage["name"] in names)
     ran = any(stage["name"] in names for stage in row["stages"])
     return _number(total if ran else None, 1 if total < 10 else 0)

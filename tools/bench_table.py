@@ -88,7 +88,7 @@ def _models(folder: Path | None) -> dict[str, str]:
 
 
 def _run(name: str, target: str) -> dict:
-    """One model; its target is a path where a mesh is taken as it is."""
+    """Model of the benchmark; its target is a path where a mesh is taken as it is."""
     extra = ["--no-remesh"] if target.lower().endswith(MESHES) else SETTINGS.get(name, [])
     row = {"name": name, "paper_seconds": PAPER[name][1] if name in PAPER else None}
     with tempfile.TemporaryDirectory(prefix="curveups-bench-") as folder:

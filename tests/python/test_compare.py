@@ -93,7 +93,7 @@ def test_a_scan_is_laid_onto_its_design(curveups, piece, tmp_path, count):
 
 
 def test_a_piece_that_swelled_is_seen_at_its_tiles(curveups, piece, tmp_path):
-    """By markers, which fix the turn of any shape: one tile stands out by half a millimetre."""
+    """Markers fix the turn of any shape: one tile stands out by half a millimetre."""
     corners = piece.V[piece.F]
     out = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     markers = corners.mean(1)

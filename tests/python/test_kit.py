@@ -132,7 +132,7 @@ def test_files_of_many_beds_follow_the_order(results, tmp_path):
 
 
 def test_the_glue_has_to_hold_the_largest_shear(results):
-    """Of pins and anchors; the parts list names glues of the program that do."""
+    """Glue of pins and anchors; the parts list names glues of the program that do."""
     report = build_report(results, [], False, {}, {})
     report = {**report, "glue": {"shear_max_mpa": 0.5501}, "anchors": {"glue_shear_mpa": [0.1, 0.2]}}
     assert glue_asked(report) == 0.56
@@ -162,7 +162,7 @@ def test_words_around_the_picture_of_a_print_keep_apart(size, said, high):
 
 @pytest.mark.parametrize("language", ["en", "de"])
 def test_words_of_the_section_stay_in_their_parts(results, language):
-    """Of rings within the rings, of sheets within the window."""
+    """Texts of rings lie within the rings, those of sheets within the window."""
     kit = Kit(results, build_report(results, [], False, {}, {}), say=Language(language))
     found, width = ring_sheet.section(kit), kit.rings["width_mm"]
     for x, _, height, text in found.texts:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What report.html says of pin smoothing, repair and the worst contacts."""
+"""Sections of report.html on pin smoothing, repair and the worst contacts."""
 
 import re
 
