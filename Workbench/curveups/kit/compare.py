@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import json
 import re
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -26,6 +27,7 @@ LEAST = 12        # points or markers that a registration needs
 MOST = 1_000_000  # points
 PER_TILE = 3      # points of a tile, for a figure of its own
 SAMPLED = 20      # points of a tile that a coarse mesh gives
+SCANNED = ("mean_mm", "rms_mm", "p95_mm", "max_mm", "hausdorff_mm")
 FILES = ("compare.json", "compare.html", "deviation.csv")
 
 
@@ -144,20 +146,34 @@ def compare(design: Any, scan: Scan, job: Job) -> dict[str, Any]:
     return comparison
 
 
-def predicted(path: Path) -> dict[str, Any]:
-    """Deviation and open contacts by settled forces, from the report.json beside a design; empty if that is
-    damaged or not of this design.json."""
+def predictions(path: Path, tiles: int) -> dict[str, Any]:
+    """Deviation and open contacts that files beside a design (design.json) predict: by settled forces
+    (report.json), and as it is built, after shaking (actuation.json); without those that are damaged or not
+    of this design."""
+    size, blocks = path.stat().st_size, {}
+    report, path_from_flat = (_read(path.parent / name) for name in ("report.json", "actuation.json"))
+    with suppress(LookupError, TypeError, ValueError, OverflowError, AttributeError):
+        if report.get("print", {}).get("files", {}).get(path.name, size) == size:
+            blocks["predicted"] = _prediction(report["settled"]["scan"], report["settled"]["open_contacts"])
+    with suppress(LookupError, TypeError, ValueError, OverflowError):
+        shaken = path_from_flat["actuation"]["shaken"]
+        if path_from_flat["tiles"] == tiles:
+            blocks["built"] = _prediction({name: shaken[name] for name in SCANNED}, shaken["open_contacts"])
+    return blocks
+
+
+def _read(path: Path) -> dict[str, Any]:
     try:
-        report = json.loads((path.parent / "report.json").read_text("utf-8"))
-        settled, size = report["settled"], path.stat().st_size
-        if report.get("print", {}).get("files", {}).get(path.name, size) != size:
-            return {}
-        deviation = {name: float(value) for name, value in settled["scan"].items()}
-        if not {"mean_mm", "max_mm"} <= deviation.keys() or not np.isfinite([*deviation.values()]).all():
-            return {}
-        return {"deviation": deviation, "open": [[int(a), int(b)] for a, b in settled["open_contacts"]]}
-    except (OSError, ValueError, OverflowError, LookupError, TypeError, AttributeError, RecursionError):
+        return dict(json.loads(path.read_text("utf-8")))
+    except (OSError, ValueError, TypeError, RecursionError):
         return {}
+
+
+def _prediction(deviation: dict[str, Any], contacts: list[list[int]]) -> dict[str, Any]:
+    values = {name: float(deviation[name]) for name in SCANNED}
+    if not np.isfinite([*values.values()]).all():
+        raise ValueError
+    return {"deviation": values, "open": [[int(a), int(b)] for a, b in contacts]}
 
 
 def write_comparison(design: Any, comparison: dict[str, Any], path: Path) -> None:
@@ -182,10 +198,11 @@ def summary(comparison: dict[str, Any]) -> list[str]:
     lines.append(f"the pose is certain to {max(pose['translation_sd_mm']):.2g} mm and "
                  f"{max(pose['rotation_sd_deg']):.2g} deg (standard deviations, for independent noise of "
                  f"{pose['noise_mm']:.2g} mm)")
-    if "predicted" in comparison:
-        block = comparison["predicted"]
-        lines.append(f"settled forces predict: mean {block['deviation']['mean_mm']:.3f} mm, largest "
-                     f"{block['deviation']['max_mm']:.3f} mm, open contacts: {_pairs(block['open'])}")
+    for name, by in (("predicted", "settled forces predict"), ("built", "the shape after shaking predicts")):
+        if name in comparison:
+            block = comparison[name]
+            lines.append(f"{by}: mean {block['deviation']['mean_mm']:.3f} mm, largest "
+                         f"{block['deviation']['max_mm']:.3f} mm, open contacts: {_pairs(block['open'])}")
     if not comparison["turn_fixed"]:
         lines.append("the shape does not fix how the scan is turned: "
                      f"{comparison['other_turns']} other turns or more fit as well, so there is nothing to "
@@ -199,7 +216,7 @@ def _pairs(rows: list[list[int]]) -> str:
 
 
 def _page(design: Any, comparison: dict[str, Any]) -> str:
-    expected = comparison.get("predicted", {}).get("deviation", {})
+    expected = [comparison.get(name, {}).get("deviation", {}) for name in ("predicted", "built")]
     picture = None
     if comparison["turn_fixed"]:
         values = np.full(len(design.F), np.nan)
@@ -208,7 +225,7 @@ def _page(design: Any, comparison: dict[str, Any]) -> str:
         picture = Picture("", "Median deviation of each tile, on the flat layout. Tiles without colour have "
                           "no points.", "flat",
                           {"design": design, "values": values, "label": "median deviation, mm"})
-    rows = [(html.words(name[:-3]) + ", mm", f"{value:.4f}", expected.get(name))
+    rows = [(html.words(name[:-3]) + ", mm", f"{value:.4f}", *(block.get(name) for block in expected))
             for name, value in comparison["deviation"].items()]
     return html.render("compare.html", title=f"{design.name}: scan beside the design",
                        lines=summary(comparison), rows=rows, picture=picture)
