@@ -4,7 +4,7 @@
 set(place lib/curveups)
 install(TARGETS _native LIBRARY DESTINATION ${place}/Workbench/curveups)
 install(DIRECTORY Workbench DESTINATION ${place}
-        FILES_MATCHING PATTERN "*.py" PATTERN "*.js" PATTERN "parameters.json" PATTERN "__pycache__" EXCLUDE)
+        FILES_MATCHING PATTERN "*.py" PATTERN "*.js" PATTERN "*.html" PATTERN "parameters.json" PATTERN "__pycache__" EXCLUDE)
 install(DIRECTORY resources DESTINATION ${place} PATTERN "*.ts" EXCLUDE)
 install(FILES Init.py InitGui.py package.xml README.md LICENSE LICENSE.GPL-3.0
         DESTINATION ${place})
@@ -34,7 +34,7 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 string(CONCAT CPACK_DEBIAN_PACKAGE_DEPENDS
        "freecad (>= 0.20.2), python3-pivy, python3-numpy, python3-matplotlib, python3-scipy, "
-       "python3-ezdxf, "
+       "python3-ezdxf, python3-jinja2, "
        "python3 (>= 3.${Python3_VERSION_MINOR}~), python3 (<< 3.${next_python})")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${PROJECT_SOURCE_DIR}/packaging/debian/postinst"

@@ -22,14 +22,14 @@ STAMPS = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "cur
 
 
 def settings() -> dict[Path, str]:
-    """Of each source file: how it is compiled, and by which clang-tidy it is looked at."""
+    """Command that compiles each source file, and the clang-tidy that checks it."""
     tool = subprocess.run(["clang-tidy-14", "--version"], capture_output=True, text=True, check=True).stdout
     commands = json.loads((ROOT / "build" / "test" / "compile_commands.json").read_text(encoding="utf-8"))
     return {Path(one["file"]): tool + one["command"].replace(str(ROOT), "") for one in commands}
 
 
 def fingerprint(source: Path, setting: str) -> str:
-    """Of a file with all it includes of ours, and of what is checked."""
+    """Hash of a file with all it includes of ours, and of the checks."""
     files, waiting = {source}, [source]
     while waiting:
         for name in re.findall(r'#include "(curveups/[^"]+)"', waiting.pop().read_text(encoding="utf-8")):
@@ -43,7 +43,7 @@ def fingerprint(source: Path, setting: str) -> str:
 
 
 def complaints(source: Path, setting: str) -> str:
-    """What clang-tidy has to say of a file, empty where that is nothing."""
+    """Complaints of clang-tidy about a file; empty without any."""
     stamp = STAMPS / fingerprint(source, setting)
     if stamp.is_file():
         return ""

@@ -11,7 +11,8 @@ from pathlib import Path
 from typing import Iterator
 
 ROOT = Path(__file__).resolve().parent.parent
-REFUSED = re.compile(r"(of|what|where|whether|that|by|it|its|they|their|this|these|those|one|which|who)\b", re.I)
+REFUSED = re.compile(
+    r"(of|what|where|whether|that|by|it|its|they|their|this|these|those|one|which|who)\b", re.I)
 DOCUMENTED = ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef
 
 

@@ -21,7 +21,7 @@ HEAD = """# SPDX-License-Identifier: LGPL-2.1-or-later
 
 
 def native_stubs() -> str:
-    """What mypy's stubgen finds in the built module, with numpy's own types for arrays."""
+    """Stubs by mypy's stubgen of the built module, with numpy's own types for arrays."""
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([sys.executable, "-c", "from mypy.stubgen import main; main()", "-q", "-m",
                         "curveups._native", "-o", folder], check=True,

@@ -12,7 +12,7 @@ from step_rules import wrong_step_files
 
 
 def read_back(folder: Path, report: dict, check: bool = False, solids: bool = True) -> list[str]:
-    """What is wrong with the files of a finished design; `check`: BRepCheck on every solid as well;
+    """Faults of the files of a finished design; `check`: BRepCheck on every solid as well;
     without `solids` the meshes alone are read (a tenth of the time)."""
     from curveups.base import freecad_session
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the STEP standard (ISO 10303-21, AP214) asks of files like ours and readers rarely tell: references,
-types, rules. It reads text alone and shares nothing with what wrote it."""
+"""Rules of the STEP standard (ISO 10303-21, AP214) that readers rarely report: references, types, rules.
+The module reads text alone and shares nothing with the writer."""
 
 from __future__ import annotations
 
@@ -81,8 +81,8 @@ PLAIN = {"s": TEXT, "r": REAL, "v": rf"\((?:{REAL},){{2}}{REAL}\)", "b": r"\.[TF
 
 
 def _pattern(attributes: str) -> tuple[re.Pattern[str], list[set[str]]]:
-    """What the text in brackets has to match, with a group for each reference or list of them, and what
-    each may refer to."""
+    """Pattern of the text in brackets, with a group for each reference or list of them, and the kinds each
+    may name."""
     parts, kinds = [], []
     for token in attributes.split():
         if token in PLAIN:
@@ -263,7 +263,7 @@ def _vector(text: str) -> list[float]:
 
 
 def wrong_step_files(paths: list[Path]) -> list[str]:
-    """What is wrong with each, and ids of products that two of them share."""
+    """Faults of each file, and ids of products that two of them share."""
     wrong: list[str] = []
     seen: dict[str, Path] = {}
     for path in paths:

@@ -46,7 +46,7 @@ def texts() -> set[Text]:
 
 
 def texts_of_python(source: str) -> Iterator[Text]:
-    """What calls of a marker name literally; a call with names instead hands on what is marked elsewhere."""
+    """Texts that calls of a marker name literally; names hand on texts that are marked elsewhere."""
     for node in ast.walk(ast.parse(source)):
         if isinstance(node, ast.Call):
             marker = getattr(node.func, "id", getattr(node.func, "attr", ""))
@@ -74,7 +74,7 @@ def texts_of_parameters() -> set[Text]:
 
 
 def texts_of_printers() -> set[Text]:
-    """What sheets say of printers and of kinds of support."""
+    """Texts of sheets on printers and on kinds of support."""
     found: set[str] = set()
     for path in (ROOT / "resources" / "printers").glob("*.json"):
         values = json.loads(path.read_text(encoding="utf-8"))
@@ -87,7 +87,7 @@ def texts_of_printers() -> set[Text]:
 
 
 def texts_of_findings() -> set[Text]:
-    """What is said for or against a design."""
+    """Sentences for or against a design."""
     sys.path.insert(0, str(ROOT / "Workbench"))
     from curveups.base import sentences
 
@@ -95,7 +95,7 @@ def texts_of_findings() -> set[Text]:
 
 
 def texts_of_errors() -> set[Text]:
-    """What is wrong, and the remedy, as errors have them; {0} stands for what is known only then."""
+    """Faults and remedies, as errors have them; {0} stands for what is known only then."""
     from curveups.base.sentences import CONTEXT
 
     found: set[str] = set()
@@ -111,13 +111,13 @@ def texts_of_errors() -> set[Text]:
 
 
 def _template_of_python(node: ast.expr) -> str:
-    """Of an expression that makes a text."""
+    """Texts of an expression."""
     parts = node.values if isinstance(node, ast.JoinedStr) else [node]
     return _numbered(part.value if isinstance(part, ast.Constant) else None for part in parts)
 
 
 def _arguments(text: str) -> list[list[str]]:
-    """Of a call in C++ that begins in front of the text: what is added up in each."""
+    """Summands of each argument of a call in C++ that begins in front of the text."""
     found: list[list[str]] = [[""]]
     depth = 0
     for token in re.findall(r'"(?:[^"\\]|\\.)*"|[^"]', text):
@@ -134,7 +134,7 @@ def _arguments(text: str) -> list[list[str]]:
 
 
 def _template_of_cpp(parts: list[str]) -> str:
-    """Of what is added up: literals, also as std::string, and anything else."""
+    """Literals among summands, also as std::string, and anything else."""
     literal = r'(?:std::string\()?((?:"(?:[^"\\]|\\.)*"\s*)+)\)?'
     found = [re.fullmatch(literal, part.strip()) for part in parts]
     return _numbered("".join(map(ast.literal_eval, re.findall(r'"(?:[^"\\]|\\.)*"', one[1]))) if one else None
@@ -142,7 +142,7 @@ def _template_of_cpp(parts: list[str]) -> str:
 
 
 def _numbered(texts: Iterable[Any]) -> str:
-    """One text with {0}, {1} and so on for those that are not known."""
+    """Text with {0}, {1} and so on for the parts that are not known."""
     number = itertools.count()
     return "".join(f"{{{next(number)}}}" if text is None else str(text) for text in texts)
 
@@ -156,7 +156,7 @@ def texts_of_form(source: str) -> Iterator[Text]:
 
 
 def translations(path: Path) -> dict[Text, Optional[str]]:
-    """What a .ts file has for each text; None where it is not finished."""
+    """Translation of each text in a .ts file; None where it is not finished."""
     return {(context.findtext("name", ""), message.findtext("source", "")):
             None if message.find("translation[@type]") is not None else message.findtext("translation")
             for context in xml.parse(path).getroot().iter("context")

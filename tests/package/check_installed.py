@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the installed package has to do, on a Debian that has nothing else (tools/package --test): the
+"""Test of the installed package on a Debian that has nothing else (tools/package --test): the
 command line designs, and FreeCAD's window lists the workbench, designs with it and shows a document.
 
     python3 check_installed.py

@@ -19,7 +19,7 @@ from curveups.project import saved_results
 from curveups.project.project import Project
 from curveups.report.exports import report
 from curveups.report.actuation import front_corners, open_tiles
-from curveups.report.html import WORDS
+from curveups.report.html import STATE_NAMES
 from curveups.stages import RISEN, asked_by
 from curveups.stages.actuation import RELAXED, STATES, findings
 from curveups.stages.stage import Job
@@ -153,8 +153,8 @@ def test_the_page_needs_nothing_beside_it_and_names_the_states(risen):
     assert f"FRAMES={len(risen.frames)}," in page and "small-cap" in page
     assert not re.search(r"(src|href)=[\"'](?!data:)", page)
     doing = json.loads(re.search(r"\bDOING=(\[.*?\]),[A-Z]+=", page)[1])
-    assert doing == [WORDS[frame["load"]] for frame in risen.frames]
-    assert all(f"<td>{word}</td>" in page for word in WORDS.values())
+    assert doing == [STATE_NAMES[frame["load"]] for frame in risen.frames]
+    assert all(f"<td>{word}</td>" in page for word in STATE_NAMES.values())
 
 
 def test_tiles_of_open_contacts_are_marked_where_the_piece_rests(project):

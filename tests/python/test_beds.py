@@ -134,7 +134,7 @@ def area(line):
 
 
 def test_pieces_lie_side_by_side_on_as_few_beds(design):
-    """Of a cap that is cut in two."""
+    """Kit of a cap that is cut in two."""
     V, F = np.asarray(design.V), np.asarray(design.F)
     left = V[F].mean(1)[:, 0] < 0
     edges = [{tuple(sorted((int(f[k]), int(f[(k + 1) % 3])))) for f in half for k in range(3)}
@@ -164,7 +164,7 @@ def test_parts_of_another_number_of_tiles_are_refused(design):
 
 
 def test_every_bed_and_the_frame_are_in_the_kit(printed, tmp_path, monkeypatch):
-    """Of bridges, on an FDM printer whose bed is small."""
+    """Kit of a print on bridges, on an FDM printer whose bed is small."""
     small = {**kit_module.read_printer("fdm"), "bed_mm": [52, 30, 100]}
     monkeypatch.setattr(kit_module, "read_printer", lambda name: small)
     for name in ("small-cap-bed-07.3mf", "small-cap-bed-07.step"):  # of an earlier run
@@ -214,7 +214,7 @@ def test_every_bed_and_the_frame_are_in_the_kit(printed, tmp_path, monkeypatch):
 
 
 def read_text(path):
-    """Of a PDF."""
+    """Text of a PDF."""
     said = subprocess.run(["pdftotext", path, "-"], check=True, capture_output=True, encoding="utf-8").stdout
     return " ".join(said.split())
 

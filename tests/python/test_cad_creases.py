@@ -30,7 +30,7 @@ def target_of(path, **values):
 
 
 def away(points, V, F):
-    """Of each point the distance of the nearest tile edge, mm."""
+    """Distance of each point from the nearest tile edge, mm."""
     sides = np.unique(np.sort(F[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1), axis=0)
     a, b = V[sides[:, 0]], V[sides[:, 1]]
     nearest = np.full(len(points), np.inf)

@@ -125,7 +125,7 @@ def test_gaps_between_faces_are_closed(parts):
 
 @pytest.mark.filterwarnings("error")
 def test_faces_without_triangles_are_no_wall_and_no_warning():
-    """Of a damaged file: the share of such a face was 0 / 0."""
+    """Damaged file: the share of such a face was 0 / 0."""
     def solid(*faces):
         return SimpleNamespace(BoundBox=SimpleNamespace(DiagonalLength=17.0), Faces=[
             SimpleNamespace(tessellate=lambda _, face=face: face) for face in faces])

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from curveups.base.native import native
-from curveups.kit.compare import PER_TILE, SAMPLED, predicted, read_scan
+from curveups.kit.compare import PER_TILE, SAMPLED, SCANNED, predictions, read_scan
 from shapes import obj_text
 
 NOISE = 0.05  # mm
@@ -93,7 +93,7 @@ def test_a_scan_is_laid_onto_its_design(curveups, piece, tmp_path, count):
 
 
 def test_a_piece_that_swelled_is_seen_at_its_tiles(curveups, piece, tmp_path):
-    """By markers, which fix the turn of any shape: one tile stands out by half a millimetre."""
+    """Markers fix the turn of any shape: one tile stands out by half a millimetre."""
     corners = piece.V[piece.F]
     out = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     markers = corners.mean(1)
@@ -109,27 +109,32 @@ def test_a_piece_that_swelled_is_seen_at_its_tiles(curveups, piece, tmp_path):
     assert max(map(abs, values.values())) < 1e-3
 
 
-def test_what_settled_forces_predict_is_told_beside_a_scan(curveups, piece, tmp_path):
-    """As long as the report is of this design."""
+def test_predictions_of_the_same_design_stand_beside_a_scan(curveups, piece, tmp_path):
     points = piece.V[piece.F].mean(1)
     write_points(tmp_path / "markers.csv", points, [f"T{row + 1:05d}" for row in range(len(points))])
-    report = {"settled": {"scan": {"mean_mm": 0.02, "max_mm": 0.07}, "open_contacts": [[3, 4]]}}
+    figures = {name: 0.02 for name in SCANNED}
     beside = tmp_path / "d" / "design.json"
     beside.parent.mkdir()
     beside.write_bytes(piece.path.read_bytes())
-    (beside.parent / "report.json").write_text(json.dumps(report))
-    found, ran = compared(curveups, beside, tmp_path / "markers.csv", tmp_path / "out")
-    assert found["predicted"]["open"] == [[3, 4]] and "T00004-T00005" in ran.out
+
+    def write(name, **block):
+        (beside.parent / f"{name}.json").write_text(json.dumps(block))
+
+    settled = {"scan": {**figures, "max_mm": 0.07}, "open_contacts": [[3, 4]]}
+    shaken = {**figures, "max_mm": 0.31, "open_contacts": []}
+    write("report", settled=settled)
+    write("actuation", tiles=len(piece.F), actuation={"shaken": shaken})
+    comparison, ran = compared(curveups, beside, tmp_path / "markers.csv", tmp_path / "out")
+    assert comparison["predicted"]["open"] == [[3, 4]] and "T00004-T00005" in ran.out
+    assert comparison["built"]["deviation"]["max_mm"] == 0.31
     page = (tmp_path / "out" / "compare.html").read_text("utf-8")
-    assert "Predicted by settled forces" in page and "0.07" in page
-    (beside.parent / "report.json").write_text(json.dumps({**report, "print": {"files": {"design.json": 7}}}))
-    assert not predicted(beside)
-    sound = report["settled"]["scan"]
-    for scan, pairs in (({"mean_mm": 0.02}, []), ({**sound, "max_mm": "far"}, []), (sound, [3]),
-                        ({**sound, "max_mm": float("nan")}, []), (sound, [[float("inf"), 1]])):
-        (beside.parent / "report.json").write_text(json.dumps(
-            {"settled": {"scan": scan, "open_contacts": pairs}}))
-        assert not predicted(beside)
+    assert "Predicted by settled forces" in page and "0.07" in page and "0.31" in page
+    write("report", settled=settled, print={"files": {"design.json": 7}})
+    write("actuation", tiles=1, actuation={"shaken": shaken})
+    assert not predictions(beside, len(piece.F))
+    write("report", settled={**settled, "scan": {"mean_mm": float("nan")}})
+    (beside.parent / "actuation.json").write_text("{")
+    assert not predictions(beside, len(piece.F))
 
 
 def test_a_mesh_is_a_scan(curveups, piece, tmp_path):

@@ -102,7 +102,7 @@ def test_an_export_that_is_cancelled_leaves_no_report(exported):
 
 
 def test_an_export_without_reports_leaves_none(exported):
-    """They would speak of earlier files."""
+    """Old reports would name earlier files."""
     project, folder = exported
     files = write_export(project, folder, Choice((("print", "3mf"),), reports=False), Job()).files
     assert set(files) == {"design.json", "disc-print.3mf"}

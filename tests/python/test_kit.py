@@ -2,6 +2,7 @@
 """`curveups kit`: what the print shop and whoever builds the shell get, read by other programs."""
 
 import hashlib
+import html
 import io
 import json
 import re
@@ -132,7 +133,7 @@ def test_files_of_many_beds_follow_the_order(results, tmp_path):
 
 
 def test_the_glue_has_to_hold_the_largest_shear(results):
-    """Of pins and anchors; the parts list names glues of the program that do."""
+    """Glue of pins and anchors; the parts list names glues of the program that do."""
     report = build_report(results, [], False, {}, {})
     report = {**report, "glue": {"shear_max_mpa": 0.5501}, "anchors": {"glue_shear_mpa": [0.1, 0.2]}}
     assert glue_asked(report) == 0.56
@@ -162,7 +163,7 @@ def test_words_around_the_picture_of_a_print_keep_apart(size, said, high):
 
 @pytest.mark.parametrize("language", ["en", "de"])
 def test_words_of_the_section_stay_in_their_parts(results, language):
-    """Of rings within the rings, of sheets within the window."""
+    """Texts of rings lie within the rings, those of sheets within the window."""
     kit = Kit(results, build_report(results, [], False, {}, {}), say=Language(language))
     found, width = ring_sheet.section(kit), kit.rings["width_mm"]
     for x, _, height, text in found.texts:
@@ -193,7 +194,7 @@ def test_two_pieces_say_which_of_their_tiles_lie_side_by_side():
     (("support=breakaway", "printer=fdm"),
      ("do not break them", "PLA or PETG", "Do not scale, turn", "on the bed alone, and leave these in, too"),
      ("wash it off", "two materials", "Tilt"),
-     ("holds, peel the slicer&#x27;s supports off the back and break the bridges",)),
+     ("holds, peel the slicer's supports off the back and break the bridges",)),
     (("support=breakaway", "printer=resin"),
      ("Tilt the whole", "peeled off the vat by its whole area",
       "take these supports off, and cure with the bridges on", "tilted as a whole"),
@@ -209,8 +210,8 @@ def test_sheets_fit_support_and_printer(curveups, printed, tmp_path, settings, s
     assert ran.status in (0, 1), ran.err
     text = " ".join(pdf_text(tmp_path / "small-cap-shop.pdf").split())
     assert all(one in text for one in shop_says) and not any(one in text for one in shop_omits)
-    page = (tmp_path / "small-cap-assembly.html").read_text("utf-8")
-    assert all(one in page for one in page_says)
+    page = html.unescape((tmp_path / "small-cap-assembly.html").read_text("utf-8"))
+    assert all(words in page for words in page_says)
 
 
 def test_the_report_begins_with_what_the_shop_needs(printed):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What print files promise to whoever prints and glues: names, areas of glue, limits of printers."""
+"""Promises of print files to whoever prints and glues: names, areas of glue, limits of printers."""
 
 import html
 import json
@@ -147,7 +147,7 @@ def test_bridges_are_small_files(exported):
 
 @pytest.mark.parametrize("profile", [None, *profile_names()])
 def test_profiles_and_defaults_suit_their_printers(profile):
-    """By no bound that gives way, no gap and no wall is a print asked for more than its printer makes."""
+    """No bound that gives way, no gap and no wall asks a print for more than its printer makes."""
     values = native.Parameters()
     for name, value in json.loads(profile_path(profile).read_text("utf-8")).items() if profile else ():
         if name != "about":

@@ -145,11 +145,10 @@ def compare(options: Any, reporter: Reporter) -> int:
     design = _read_design(options.design)
     with translated(str(options.scan)):
         scan = comparing.read_scan(options.scan, len(design.F))
-        found = comparing.compare(design, scan, Job(reporter))
-    if expected := comparing.predicted(options.design):
-        found["predicted"] = expected
-    comparing.write_comparison(design, found, options.output)
-    for line in comparing.said(found):
+        comparison = comparing.compare(design, scan, Job(reporter))
+    comparison.update(comparing.predictions(options.design, len(design.F)))
+    comparing.write_comparison(design, comparison, options.output)
+    for line in comparing.summary(comparison):
         _answer(line)
     return VALID
 

@@ -5,7 +5,6 @@ map of tiles."""
 from __future__ import annotations
 
 import io
-from html import escape
 from types import SimpleNamespace
 from typing import Any, Callable, Iterator, Mapping
 
@@ -17,8 +16,7 @@ from ..base import profiles
 from ..base.language import Text
 from ..report import pictures
 from ..report.assembly import HOLE, glue_asked, glue_volumes, steps
-from ..report.data import table
-from ..report.html import page, picture
+from ..report.html import render
 from ..report.print_pictures import print_view
 from ..report.shop import latex
 from . import drawing, latex as template
@@ -33,7 +31,7 @@ def make(kit: Kit, kind: str) -> bytes:
 
 
 def parts(kit: Kit) -> list[tuple[str, str]]:
-    """What has to be there before the first step."""
+    """Names and descriptions of all that is needed before the first step."""
     block, parameters, say = kit.report["print"], kit.results.parameters, kit.say
     glue, sheets, ring = glue_volumes(block["glue"]), kit.report["sheets"], kit.rings
     (width, height), (outer, high) = sheets["window_mm"], ring["outer_mm"]
@@ -77,15 +75,15 @@ corners align the rings""")
 
 
 def _shaping(kit: Kit) -> list[tuple[str, str]]:
-    """What the shell is brought into shape on, and what parts of the print butt in."""
+    """Former of the shell, and frame of a print in several parts."""
     say = kit.say
-    found = [(say("Former"), say("{name}-former.stl, {volume:.0f} cm³, printed hollow of any plastic",
-                                 name=kit.name, volume=sum(former.volume for former in kit.formers)))]
+    rows = [(say("Former"), say("{name}-former.stl, {volume:.0f} cm³, printed hollow of any plastic",
+                                name=kit.name, volume=sum(former.volume for former in kit.formers)))]
     if kit.beds and kit.beds.seams and kit.model.outlines:
-        found.append((say("Frame"), say("a plate 3 mm thick, cut by {name}-frame.dxf, for the {count} parts "
-                                        "of the print", name=kit.name,
-                                        count=sum(map(len, kit.beds.places)))))
-    return found
+        rows.append((say("Frame"), say("a plate 3 mm thick, cut by {name}-frame.dxf, for the {count} parts "
+                                       "of the print", name=kit.name,
+                                       count=sum(map(len, kit.beds.places)))))
+    return rows
 
 
 def _shown(kit: Kit, name: str) -> bytes:
@@ -115,9 +113,9 @@ def _from_back(kit: Kit) -> Any:
     return SimpleNamespace(T=T, q=q)
 
 
-def _drawn(one: drawing.Drawing) -> bytes:
+def _drawn(shown: drawing.Drawing) -> bytes:
     """A drawing as PNG, 160 mm wide."""
-    return pictures._png(drawing.whole(one, 160.0), 160)
+    return pictures._png(drawing.whole(shown, 160.0), 160)
 
 
 def _pages(kit: Kit) -> list[tuple[str, str, str]]:
@@ -127,14 +125,14 @@ def _pages(kit: Kit) -> list[tuple[str, str, str]]:
 
 
 def _html(kit: Kit) -> bytes:
-    say = kit.say
-    found = [f"<h1>{escape(_title(kit))}</h1>", table(parts(kit))]
-    for title, text, name in _pages(kit):
+    def drawn(name: str) -> bytes:
         kit.go_on()
-        found += [f"<h2>{escape(title)}</h2>", f"<p>{escape(text)}</p>"]
-        found += [picture(_shown(kit, name), "")] if name else []
-    found += [f"<h2>{escape(say(_MAP))}</h2>", picture(_shown(kit, "map"), say(_OF_MAP, name=kit.name))]
-    return page(kit.title, found, say.name).encode("utf-8")
+        return _shown(kit, name)
+
+    say = kit.say
+    return render("assembly.html", title=kit.title, language=say.name, heading=_title(kit), parts=parts(kit),
+                  steps=_pages(kit), drawn=drawn, map=say(_MAP), of_map=say(_OF_MAP, name=kit.name)
+                  ).encode("utf-8")
 
 
 def _pdf(kit: Kit) -> bytes:

@@ -72,9 +72,9 @@ def beds(design: Any, model: Any, printer: dict[str, Any], shapes: Any, asked: A
     bed = printer["bed_mm"]
     if fits_bed(model.bbox, printer) or model.bbox[2] > bed[2] or not max(bed) > 0:
         return None
-    for found in (_on_one(model, bed), _packed(model, bed)):
-        if found:
-            return Beds(model, found)
+    for places in (_on_one(model, bed), _packed(model, bed)):
+        if places:
+            return Beds(model, places)
     return _fewer_anchors(design, model, bed, shapes, asked) or _cut(design, model, printer, shapes, asked)
 
 
@@ -92,19 +92,20 @@ def _packed(model: Any, bed: Sequence[float]) -> Optional[list[dict[int, Place]]
         if turn is None:
             return None
         sizes[piece] = (np.ptp(points @ turned(turn[2]).T, axis=0), turn)
-    found: list[dict[int, Place]] = []
+    beds_so_far: list[dict[int, Place]] = []
     x = y = high = np.inf
-    for piece in sorted(sizes, key=lambda one: (-sizes[one][0][1], one)):
+    for piece in sorted(sizes, key=lambda places: (-sizes[places][0][1], places)):
         (width, height), turn = sizes[piece]
         if x + width > bed[0]:
             x, y, high = 0.0, y + high + BESIDE, 0.0
         if y + height > bed[1]:
-            found.append({})
+            beds_so_far.append({})
             x = y = high = 0.0
         corner = np.array([x + width / 2, y + height / 2]) - np.array(bed[:2]) / 2
-        found[-1][piece] = (turn[0] + corner[0], turn[1] + corner[1], turn[2])
+        beds_so_far[-1][piece] = (turn[0] + corner[0], turn[1] + corner[1], turn[2])
         x, high = x + width + BESIDE, max(high, float(height))
-    return [{piece: (float(a), float(b), float(c)) for piece, (a, b, c) in one.items()} for one in found]
+    return [{piece: (float(a), float(b), float(c)) for piece, (a, b, c) in places.items()}
+            for places in beds_so_far]
 
 
 def _made(asked: Asked, design: Any, **given: Any) -> Any:
@@ -127,12 +128,12 @@ def _fewer_anchors(design: Any, model: Any, bed: Sequence[float], shapes: Any, a
         return None
     half = np.array(bed[:2]) / 2
     region = (np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * half - turn[:2]) @ turned(-turn[2]).T
-    made = _made(asked, design, region=[*region])
-    on_one = made and _on_one(made, bed)
+    fewer = _made(asked, design, region=[*region])
+    on_one = fewer and _on_one(fewer, bed)
     if not on_one:
         return None
     anchors = model.piece_of_bodies("anchors")
-    return Beds(made, on_one, left_out=len(anchors) - len(made.piece_of_bodies("anchors")))
+    return Beds(fewer, on_one, left_out=len(anchors) - len(fewer.piece_of_bodies("anchors")))
 
 
 def _cut(design: Any, model: Any, printer: Mapping[str, Any], shapes: Any, asked: Asked) -> Optional[Beds]:
@@ -140,10 +141,10 @@ def _cut(design: Any, model: Any, printer: Mapping[str, Any], shapes: Any, asked
     bed, opening = printer["bed_mm"], 2 * printer["growth_mm"]
     loose = set(model.loose_tiles)  # of the whole print as well
     for parts, seams in _divisions(design, bed, shapes, asked):
-        made = _made(asked, design, part_of_tile=parts.tolist(), opening=opening)
-        found = made and loose.issuperset(made.loose_tiles) and _packed(made, bed)
-        if found:
-            return Beds(made, found, opening, seams=seams)
+        divided = _made(asked, design, part_of_tile=parts.tolist(), opening=opening)
+        places = divided and loose.issuperset(divided.loose_tiles) and _packed(divided, bed)
+        if places:
+            return Beds(divided, places, opening, seams=seams)
     return None
 
 
@@ -224,14 +225,14 @@ def _rim(parameters: Any) -> float:
 
 def _points(model: Any) -> dict[int, np.ndarray]:
     """Points of each piece's bodies, seen from above."""
-    found: dict[int, list[np.ndarray]] = {}
+    points_of: dict[int, list[np.ndarray]] = {}
     for kind in KINDS:
         if model.volumes[kind] > 0:
             points, faces, body = model.mesh(kind)
             piece = np.asarray(model.piece_of_bodies(kind))[body]
-            for one in np.unique(piece):
-                found.setdefault(int(one), []).append(points[np.unique(faces[piece == one])][:, :2])
-    return {piece: np.concatenate(parts) for piece, parts in sorted(found.items())}
+            for number in np.unique(piece):
+                points_of.setdefault(int(number), []).append(points[np.unique(faces[piece == number])][:, :2])
+    return {piece: np.concatenate(parts) for piece, parts in sorted(points_of.items())}
 
 
 def _best_turn(points: np.ndarray, bed: Sequence[float]) -> Optional[Place]:

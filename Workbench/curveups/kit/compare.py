@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import json
 import re
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -16,8 +17,8 @@ from ..base.errors import CurveUpsError, tile_name
 from ..base.native import native
 from ..base.output import Folder
 from ..report import html
-from ..report.data import table, to_text
-from ..stages.stage import Job
+from ..report.data import to_text
+from ..stages.stage import Job, Picture
 from ..targets.target_files import read_target
 
 FORMAT, VERSION = "curveups-compare", 1
@@ -26,6 +27,7 @@ LEAST = 12        # points or markers that a registration needs
 MOST = 1_000_000  # points
 PER_TILE = 3      # points of a tile, for a figure of its own
 SAMPLED = 20      # points of a tile that a coarse mesh gives
+SCANNED = ("mean_mm", "rms_mm", "p95_mm", "max_mm", "hausdorff_mm")
 FILES = ("compare.json", "compare.html", "deviation.csv")
 
 
@@ -144,52 +146,67 @@ def compare(design: Any, scan: Scan, job: Job) -> dict[str, Any]:
     return comparison
 
 
-def predicted(path: Path) -> dict[str, Any]:
-    """Deviation and open contacts by settled forces, from the report.json beside a design; empty if that is
-    damaged or not of this design.json."""
+def predictions(path: Path, tiles: int) -> dict[str, Any]:
+    """Deviation and open contacts that files beside a design (design.json) predict: by settled forces
+    (report.json), and as it is built, after shaking (actuation.json); without those that are damaged or not
+    of this design."""
+    size, blocks = path.stat().st_size, {}
+    report, path_from_flat = (_read(path.parent / name) for name in ("report.json", "actuation.json"))
+    with suppress(LookupError, TypeError, ValueError, OverflowError, AttributeError):
+        if report.get("print", {}).get("files", {}).get(path.name, size) == size:
+            blocks["predicted"] = _prediction(report["settled"]["scan"], report["settled"]["open_contacts"])
+    with suppress(LookupError, TypeError, ValueError, OverflowError):
+        shaken = path_from_flat["actuation"]["shaken"]
+        if path_from_flat["tiles"] == tiles:
+            blocks["built"] = _prediction({name: shaken[name] for name in SCANNED}, shaken["open_contacts"])
+    return blocks
+
+
+def _read(path: Path) -> dict[str, Any]:
     try:
-        report = json.loads((path.parent / "report.json").read_text("utf-8"))
-        settled, size = report["settled"], path.stat().st_size
-        if report.get("print", {}).get("files", {}).get(path.name, size) != size:
-            return {}
-        deviation = {name: float(value) for name, value in settled["scan"].items()}
-        if not {"mean_mm", "max_mm"} <= deviation.keys() or not np.isfinite([*deviation.values()]).all():
-            return {}
-        return {"deviation": deviation, "open": [[int(a), int(b)] for a, b in settled["open_contacts"]]}
-    except (OSError, ValueError, OverflowError, LookupError, TypeError, AttributeError, RecursionError):
+        return dict(json.loads(path.read_text("utf-8")))
+    except (OSError, ValueError, TypeError, RecursionError):
         return {}
 
 
-def write_comparison(design: Any, found: dict[str, Any], path: Path) -> None:
+def _prediction(deviation: dict[str, Any], contacts: list[list[int]]) -> dict[str, Any]:
+    values = {name: float(deviation[name]) for name in SCANNED}
+    if not np.isfinite([*values.values()]).all():
+        raise ValueError
+    return {"deviation": values, "open": [[int(a), int(b)] for a, b in contacts]}
+
+
+def write_comparison(design: Any, comparison: dict[str, Any], path: Path) -> None:
     """compare.json comes last."""
-    rows = found.pop("points")
+    rows = comparison.pop("points")
     with Folder(path) as folder:
         folder.remove(*FILES)
         folder.write_text("deviation.csv", "x,y,z,deviation_mm\n" + "".join(
             "%.4f,%.4f,%.4f,%.4f\n" % tuple(row) for row in rows.tolist()))
-        folder.write_text("compare.html", _page(design, found))
-        folder.write_text("compare.json", to_text(found))
+        folder.write_text("compare.html", _page(design, comparison))
+        folder.write_text("compare.json", to_text(comparison))
 
 
-def said(found: dict[str, Any]) -> list[str]:
+def summary(comparison: dict[str, Any]) -> list[str]:
     """Lines for a terminal and the page."""
-    block = found["deviation"]
+    block = comparison["deviation"]
     lines = [f"mean {block['mean_mm']:.3f} mm, RMS {block['rms_mm']:.3f} mm, 95 % below "
              f"{block['p95_mm']:.3f} mm, largest {block['max_mm']:.3f} mm, Hausdorff "
              f"{block['hausdorff_mm']:.3f} mm",
-             f"{found['points_given']} points cover {100 * found['covered']:.0f} % of the tiles"]
-    pose = found["pose"]
+             f"{comparison['points_given']} points cover {100 * comparison['covered']:.0f} % of the tiles"]
+    pose = comparison["pose"]
     lines.append(f"the pose is certain to {max(pose['translation_sd_mm']):.2g} mm and "
                  f"{max(pose['rotation_sd_deg']):.2g} deg (standard deviations, for independent noise of "
                  f"{pose['noise_mm']:.2g} mm)")
-    if "predicted" in found:
-        block = found["predicted"]
-        lines.append(f"settled forces predict: mean {block['deviation']['mean_mm']:.3f} mm, largest "
-                     f"{block['deviation']['max_mm']:.3f} mm, open contacts: {_pairs(block['open'])}")
-    if not found["turn_fixed"]:
-        lines.append(f"the shape does not fix how the scan is turned: {found['other_turns']} other turns "
-                     "or more fit as well, so there is nothing to say of single tiles; mark some tiles, and "
-                     "give the markers")
+    for name, by in (("predicted", "settled forces predict"), ("built", "the shape after shaking predicts")):
+        if name in comparison:
+            block = comparison[name]
+            lines.append(f"{by}: mean {block['deviation']['mean_mm']:.3f} mm, largest "
+                         f"{block['deviation']['max_mm']:.3f} mm, open contacts: {_pairs(block['open'])}")
+    if not comparison["turn_fixed"]:
+        lines.append("the shape does not fix how the scan is turned: "
+                     f"{comparison['other_turns']} other turns or more fit as well, so there is nothing to "
+                     "say of single tiles; mark some tiles, and give the markers")
     return lines
 
 
@@ -198,18 +215,17 @@ def _pairs(rows: list[list[int]]) -> str:
     return ", ".join(names + [f"and {len(rows) - 8} more"] * (len(rows) > 8)) or "none"
 
 
-def _page(design: Any, found: dict[str, Any]) -> str:
-    title = f"{design.name}: scan beside the design"
-    expected = found.get("predicted", {}).get("deviation", {})
-    parts = [f"<h1>{title}</h1>", html.list_of(said(found), "ul"),
-             table([(name[:-3].replace("_", " ") + ", mm", f"{value:.4f}", expected.get(name))
-                    for name, value in found["deviation"].items()],
-                   ("Deviation", "Scan", "Predicted by settled forces"))]
-    if found["turn_fixed"]:
+def _page(design: Any, comparison: dict[str, Any]) -> str:
+    expected = [comparison.get(name, {}).get("deviation", {}) for name in ("predicted", "built")]
+    picture = None
+    if comparison["turn_fixed"]:
         values = np.full(len(design.F), np.nan)
-        for one in found["tiles"]:
-            values[int(one["tile"][1:]) - 1] = one["median_mm"]
-        parts += html.pictured("flat", "Median deviation of each tile, on the flat layout. Tiles without "
-                               "colour have no points.",
-                               design=design, values=values, label="median deviation, mm")
-    return html.page(title, parts)
+        for tile in comparison["tiles"]:
+            values[int(tile["tile"][1:]) - 1] = tile["median_mm"]
+        picture = Picture("", "Median deviation of each tile, on the flat layout. Tiles without colour have "
+                          "no points.", "flat",
+                          {"design": design, "values": values, "label": "median deviation, mm"})
+    rows = [(html.words(name[:-3]) + ", mm", f"{value:.4f}", *(block.get(name) for block in expected))
+            for name, value in comparison["deviation"].items()]
+    return html.render("compare.html", title=f"{design.name}: scan beside the design",
+                       lines=summary(comparison), rows=rows, picture=picture)

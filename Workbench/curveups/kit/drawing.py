@@ -75,7 +75,7 @@ class Drawing:
         self.text(x - _width(text, height * POINT / CAPITALS) / 2, y - height / 2, height, text)
 
     def within(self, part: Box) -> Drawing:
-        """What a part of it may show: all that reaches into its box, or may do so."""
+        """Drawing of all that reaches, or may reach, into a box."""
         def seen(low: Any, high: Any) -> bool:
             x, y, width, height = part
             return bool(low[0] < x + width and high[0] > x and low[1] < y + height and high[1] > y)
@@ -87,13 +87,13 @@ class Drawing:
         # No letter is wider than twice the height of capitals.
         texts = [(x, y, size, text) for x, y, size, text in self.texts
                  if seen((x - size, y - size), (x + 2 * size * len(text), y + 2 * size))]
-        return Drawing(self.title, self.size, {layer: found for layer, found in lines.items() if found},
-                       {layer: found for layer, found in circles.items() if found}, texts)
+        return Drawing(self.title, self.size, {layer: shapes for layer, shapes in lines.items() if shapes},
+                       {layer: shapes for layer, shapes in circles.items() if shapes}, texts)
 
 
-def made(drawing: Drawing, kind: str, notes: Sequence[str] = (), go_on: Callable[[], object] = lambda: None,
-         say: Language = ENGLISH) -> bytes:
-    """As svg, dxf or pdf. notes, go_on, say: of a pdf."""
+def written(drawing: Drawing, kind: str, notes: Sequence[str] = (),
+            go_on: Callable[[], object] = lambda: None, say: Language = ENGLISH) -> bytes:
+    """Bytes of a drawing as svg, dxf or pdf. notes, go_on, say: of a pdf."""
     if kind == "pdf":
         return tiled_pdf(drawing, notes, go_on, say)
     return (svg if kind == "svg" else dxf)(drawing)
@@ -174,15 +174,15 @@ def tiles(drawing: Drawing, paper: str) -> list[tuple[int, int, Box]]:
     width, height = PAPERS[paper][0] - 2 * BORDER, PAPERS[paper][1] - 2 * BORDER - FOOT
     columns, rows = (max(1, int(np.ceil((size - OVERLAP) / (room - OVERLAP))))
                      for size, room in zip(drawing.size, (width, height)))
-    found = []
+    sheets = []
     for row in range(rows):
         for column in range(columns):
             x = column * (width - OVERLAP)
             part = x, drawing.size[1] - height - row * (height - OVERLAP), width, height
             shown = drawing.within(part)
             if shown.lines or shown.circles:
-                found.append((column, row, part))
-    return found
+                sheets.append((column, row, part))
+    return sheets
 
 
 def tiled_pdf(drawing: Drawing, notes: Sequence[str], go_on: Callable[[], object], say: Language = ENGLISH

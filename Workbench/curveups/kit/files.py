@@ -65,7 +65,7 @@ def make(project: Project, job: Job) -> Results:
 def print_names(name: str, parameters: Any, kinds: Sequence[str], order: Order) -> dict[File, str]:
     """Names of print files. kinds: of bodies. Raises CurveUpsError for a mask that does not do."""
     return _named(name, parameters, order, tuple(
-        (kind, one.ending) for one in native.print_formats() for kind in one.wanted
+        (kind, form.ending) for form in native.print_formats() for kind in form.wanted
         if kind in (*kinds, "print")))
 
 
@@ -116,24 +116,24 @@ def write_kit(results: Results, path: Path, job: Job, order: Order = Order()) ->
 def _print_files(kit: Kit) -> dict[str, Callable[[], bytes]]:
     """Makers of the files that the shop prints, by name: the whole, each bed if there are several, and the
     print on bridges as closed shells."""
-    found: dict[str, Callable[[], bytes]] = {
+    writers: dict[str, Callable[[], bytes]] = {
         name: partial(kit.written, kit.model, ending, kind)
         for (kind, ending), name in kit.names.items()}
     fused = ("stl", "3mf") if has_bridges(kit.results.parameters) else ()
     for number, model in enumerate(kit.prints):
         bed = bed_name(number) if kit.beds else "print"
         if kit.beds:
-            found.update({kit.named((bed, ending)): partial(kit.written, model, ending, "print")
-                          for ending in ("3mf", "step")})
-        found.update({kit.named((f"{bed}-fused", ending)): partial(kit.written, model, ending, "fused")
-                      for ending in fused})
-    return found
+            writers.update({kit.named((bed, ending)): partial(kit.written, model, ending, "print")
+                            for ending in ("3mf", "step")})
+        writers.update({kit.named((f"{bed}-fused", ending)): partial(kit.written, model, ending, "fused")
+                        for ending in fused})
+    return writers
 
 
 def _earlier(folder: Path, name: str) -> list[str]:
     """Files of the last kit in a folder that nobody has changed since, and those of beds and frame."""
-    listed = _last(folder, lambda found: {file: str(about["sha256"])
-                                          for file, about in found["files"].items()}, dict[str, str]())
+    listed = _last(folder, lambda contents: {file: str(about["sha256"])
+                                             for file, about in contents["files"].items()}, dict[str, str]())
     unchanged = [file for file, known in listed.items()
                  if Path(file).name == file and (folder / file).is_file()
                  and _sum((folder / file).read_bytes()) == known]
@@ -179,11 +179,11 @@ def _sum(data: bytes) -> str:
 
 def last_order(folder: Path) -> Order:
     """The order of the kit in a folder; the usual one where there is none."""
-    return _last(folder, lambda found: Order(int(found["quantity"]), str(found["names"]),
-                                             Language(found["language"]).name), Order())
+    return _last(folder, lambda contents: Order(int(contents["quantity"]), str(contents["names"]),
+                                                Language(contents["language"]).name), Order())
 
 
 def is_current(folder: Path, design: str, order: Order = Order()) -> bool:
     """True if the kit in a folder is whole and of this design (the text of design.json) and order."""
     known = {"design_sha256": _sum(design.encode("utf-8")), "status": "complete", **order.data}
-    return _last(folder, lambda found: known == {name: found[name] for name in known}, False)
+    return _last(folder, lambda contents: known == {name: contents[name] for name in known}, False)

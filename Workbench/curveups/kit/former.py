@@ -31,7 +31,7 @@ class Former:
 
     @classmethod
     def of(cls, design: Any, parameters: Any, area: Mapping[str, float]) -> list[Former]:
-        """One below each piece of an actuated design, as high as the membrane on its pins. area: block of
+        """Formers below the pieces of an actuated design, as high as the membrane on its pins. area: block of
         report.json."""
         get, V, F = parameters.get, np.asarray(design.V), np.asarray(design.F)
         thin = area["flat_cm2"] / (get("tau") ** 2 * area["actuated_cm2"])
@@ -77,14 +77,14 @@ class Former:
         parts, _ = label(there[:-1, :-1] & there[1:, :-1] & there[:-1, 1:] & there[1:, 1:])
         counts = np.bincount(parts.ravel())[1:]
         large = counts >= min(LEAST_AREA / self.step**2, counts.max(initial=0))
-        found = np.concatenate([[False], large])[parts]
+        kept = np.concatenate([[False], large])[parts]
         while True:
-            a, b, c, d = found[:-1, :-1], found[1:, :-1], found[:-1, 1:], found[1:, 1:]
+            a, b, c, d = kept[:-1, :-1], kept[1:, :-1], kept[:-1, 1:], kept[1:, 1:]
             crossed = (a & d & ~b & ~c) | (b & c & ~a & ~d)
             if not crossed.any():
-                return np.asarray(found)
-            found[:-1, :-1] &= ~crossed
-            found[1:, :-1] &= ~crossed
+                return np.asarray(kept)
+            kept[:-1, :-1] &= ~crossed
+            kept[1:, :-1] &= ~crossed
 
     def facets(self) -> np.ndarray:
         """Corners of the body's triangles, n x 3 x 3."""

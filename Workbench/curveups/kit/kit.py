@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the sheets of a kit are made from."""
+"""Data from which the sheets of a kit are drawn."""
 
 from __future__ import annotations
 
@@ -42,12 +42,12 @@ class Kit:
 
     @property
     def name(self) -> str:
-        """Of files."""
+        """Name of the design, as its files have it."""
         return self.results.name
 
     @property
     def title(self) -> str:
-        """What every sheet says of the design, in any letters, and first whether it is not valid."""
+        """Title of the design on every sheet, in any letters; says first that it is not valid."""
         return doubtful(self.plain_title, self.report["valid"])
 
     @property
@@ -77,8 +77,8 @@ class Kit:
             if len(between) == 2:
                 middles.setdefault(between, {})[pair] = V[[a, b]].mean(0)
         most = max(1, min(4, MOST_NAMED // max(1, len(middles))))
-        named = [pair for _, found in sorted(middles.items()) for pair in _far_apart(found, most)]
-        return {"pairs": sorted(list(pair) for found in middles.values() for pair in found),
+        named = [pair for _, pairs in sorted(middles.items()) for pair in _far_apart(pairs, most)]
+        return {"pairs": sorted(list(pair) for pairs in middles.values() for pair in pairs),
                 "named": [list(pair) for pair in named]}
 
     @property
@@ -118,13 +118,13 @@ class Kit:
 
     @cached_property
     def beds(self) -> Optional[Beds]:
-        """What goes on which bed, where one has no room for all. Raises native.Cancelled."""
+        """Division of the print among beds; None where it fits one. Raises native.Cancelled."""
         design = self.results.design.with_parameters(self.results.parameters)
         return beds(design, self.model, self.printer, self.shapes, self.asked)
 
     @cached_property
     def formers(self) -> list[Former]:
-        """One for each piece."""
+        """Former of each piece."""
         return Former.of(self.results.design, self.results.parameters, self.report["area"])
 
     @cached_property
@@ -134,11 +134,11 @@ class Kit:
 
 
 def _far_apart(places: Mapping[tuple[int, ...], np.ndarray], count: int) -> list[tuple[int, ...]]:
-    """So many of the keys, or all: the first, then always the one that is farthest from those before."""
+    """At most `count` keys: the first, then always the key farthest from those before."""
     keys = sorted(places)
     points = np.array([places[key] for key in keys])
-    found = [0]
-    while len(found) < min(count, len(keys)):
-        away = np.linalg.norm(points[:, None] - points[found], axis=2).min(1)
-        found.append(int(away.argmax()))
-    return [keys[k] for k in found]
+    chosen = [0]
+    while len(chosen) < min(count, len(keys)):
+        away = np.linalg.norm(points[:, None] - points[chosen], axis=2).min(1)
+        chosen.append(int(away.argmax()))
+    return [keys[k] for k in chosen]

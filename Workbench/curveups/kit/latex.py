@@ -9,7 +9,7 @@ import numpy as np
 
 from ..base.language import ENGLISH, Language, Text
 from ..report.assembly import HOLE
-from .drawing import CAPITALS, POINT, Drawing, made, wrapped
+from .drawing import CAPITALS, POINT, Drawing, written, wrapped
 from .kit import Kit
 
 EDGE = 8.0     # mm of paper around the cutting line, which crosses lie beside
@@ -21,7 +21,7 @@ def make(kit: Kit, side: str, kind: str) -> bytes:
     block = kit.report["sheets"]
     say = kit.say
     drawing = template(say("{title}, {side} sheet", title=kit.title, side=say(side)), block, say=say)
-    return made(drawing, kind, _notes(say, side, block), kit.go_on, say)
+    return written(drawing, kind, _notes(say, side, block), kit.go_on, say)
 
 
 def template(title: str, block: Mapping[str, Any], stretched: bool = False, say: Language = ENGLISH

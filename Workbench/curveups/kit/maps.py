@@ -14,7 +14,7 @@ from ..report import pictures
 from ..report.assembly import TRIM
 from ..stages.cut_request import mesh_edges
 from .beds import FIT
-from .drawing import INCH, LAYERS, Drawing, draw, made, show_part
+from .drawing import INCH, LAYERS, Drawing, draw, written, show_part
 from .kit import Kit
 
 LEAST_EDGE = 14.0  # mm of a tile on the map, so that its number can be read
@@ -31,7 +31,7 @@ def tile_map(kit: Kit) -> Drawing:
     width, height = map(float, high - low)
     size = (2 * width + 3 * MAP_MARGIN, height + 3 * MAP_MARGIN)
     drawing = Drawing(kit.say("{title}, tiles", title=kit.title), size)
-    weak = {tile for one in kit.report.get("worst_contacts", ()) for tile in one["tiles"]}
+    weak = {tile for contact in kit.report.get("worst_contacts", ()) for tile in contact["tiles"]}
     front = corners - low + MAP_MARGIN
     back = front * (-1, 1) + (2 * width + 3 * MAP_MARGIN, 0)
     drawing.text(MAP_MARGIN, height + 2.2 * MAP_MARGIN, 3.0,
@@ -54,7 +54,7 @@ Edge = tuple[int, int]  # tile, edge
 
 def trim_file(kit: Kit, kind: str) -> bytes:
     """The marks as pdf, svg or dxf."""
-    return made(marks(kit), kind, [kit.say(_NOTE, trim=TRIM)], kit.go_on, kit.say)
+    return written(marks(kit), kind, [kit.say(_NOTE, trim=TRIM)], kit.go_on, kit.say)
 
 
 _NOTE = Text("""Seen from the front, at the size of the stretched sheet. Lay it on the front sheet before
@@ -142,13 +142,13 @@ def _outline(pins: np.ndarray, loop: list[Edge]) -> np.ndarray:
 
 
 def _ends_of_cuts(design: Any) -> np.ndarray:
-    """Where cuts end inside of the sheet, by the mean of the corners that meet there."""
+    """Ends of cuts inside of the sheet: means of the corners that meet there."""
     F, T = np.asarray(design.F), np.asarray(design.T)
     ends, times = np.unique(np.asarray(design.cuts), return_counts=True)
     edges, sides = mesh_edges(F)
     rim = np.unique(edges[sides == 1])
-    found = [T[F == vertex].mean(0) for vertex in ends[times == 1] if vertex not in rim]
-    return np.array(found).reshape(-1, 2)
+    ends_inside = [T[F == vertex].mean(0) for vertex in ends[times == 1] if vertex not in rim]
+    return np.array(ends_inside).reshape(-1, 2)
 
 
 def trim_view(kit: Kit, width: float = 160.0) -> bytes:
@@ -176,7 +176,7 @@ FRAME_EDGE = 15.0  # mm of the frame around its pocket
 
 def frame_file(kit: Kit, kind: str) -> bytes:
     """The frame as dxf or pdf."""
-    return made(frame(kit), kind, [kit.say(_FRAME_NOTE)], kit.go_on, kit.say)
+    return written(frame(kit), kind, [kit.say(_FRAME_NOTE)], kit.go_on, kit.say)
 
 
 def frame(kit: Kit) -> Drawing:
@@ -192,7 +192,7 @@ def frame(kit: Kit) -> Drawing:
                   for part, outline in zip(model.piece_of_bodies(kind), outlines_of(model, kind))]
         parts = [(f"{part + 1}", [outline for other, outline in bodies if other == part])
                  for part in sorted({part for part, _ in bodies})]
-    lines = [*pockets, *(line for _, found in parts for line in found)]
+    lines = [*pockets, *(line for _, outlines in parts for line in outlines)]
     low = np.min([line.min(0) for line in lines], axis=0) - FRAME_EDGE
     size = np.max([line.max(0) for line in lines], axis=0) + FRAME_EDGE - low
     drawing = Drawing(kit.say("{title}, frame", title=kit.title), (float(size[0]), float(size[1])))
@@ -200,10 +200,10 @@ def frame(kit: Kit) -> Drawing:
         drawing.box("cut", 0, 0, float(size[0]), float(size[1]))
     for pocket in pockets:
         drawing.closed("cut", pocket - low)
-    for name, found in parts:
-        for line in found:
+    for name, outlines in parts:
+        for line in outlines:
             drawing.closed("control", line - low)
-        x, y = np.concatenate(found).mean(0) - low
+        x, y = np.concatenate(outlines).mean(0) - low
         drawing.centred(float(x), float(y), 6.0, name)
     return drawing
 
@@ -222,5 +222,5 @@ def outlines_of(model: Any, kind: str) -> list[np.ndarray]:
     from scipy.spatial import ConvexHull  # which other commands would pay
 
     points, faces, body = model.mesh(kind)
-    seen = (points[np.unique(faces[body == one])][:, :2] for one in np.unique(body))
+    seen = (points[np.unique(faces[body == number])][:, :2] for number in np.unique(body))
     return [np.asarray(corners[ConvexHull(corners).vertices]) for corners in seen]

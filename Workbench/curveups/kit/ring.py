@@ -38,10 +38,10 @@ def teeth(block: Mapping[str, Any], side: str) -> np.ndarray:
     """Places of teeth from the frame's lower left corner, mm. block: "sheets" of report.json."""
     pitch, rows = block["tooth_pitch_mm"], block["tooth_rows"]
     columns, lines = (round(size / pitch) + 2 * rows for size in block["window_mm"])
-    found = [(i, j) for i in range(columns + 1) for j in range(lines + 1)
-             if min(i, j, columns - i, lines - j) < rows]
+    places = [(i, j) for i in range(columns + 1) for j in range(lines + 1)
+              if min(i, j, columns - i, lines - j) < rows]
     shift = 0.0 if side == "front" else 0.5
-    return (np.array(found, float) - rows + shift) * pitch + frame_width(block)
+    return (np.array(places, float) - rows + shift) * pitch + frame_width(block)
 
 
 def frame_width(block: Mapping[str, Any]) -> float:
@@ -55,7 +55,7 @@ def outer_size(block: Mapping[str, Any]) -> list[float]:
 
 
 def cuts(block: Mapping[str, Any], side: str, bed: Sequence[float]) -> list[Cut]:
-    """Where the frame is cut, between columns of teeth, in the order of its sides, so that its parts fit the
+    """Cuts of the frame, between columns of teeth, in the order of its sides, so that its parts fit the
     bed; none where it fits whole. A bed that is too small for corners gets the smallest parts that there
     are."""
     outer, counts = outer_size(block), [(x, y) for x in range(1, 30) for y in range(1, 30)]

@@ -31,8 +31,8 @@ def make(kit: Kit, side: str, kind: str) -> bytes:
 def solids(title: str, block: Mapping[str, Any], side: str, ring: Mapping[str, Any],
            printer: Mapping[str, Any]) -> Any:
     """A native PrintModel of the parts at their places."""
-    made = parts(block, side, printer["bed_mm"], printer["tolerance_mm"])
-    return native.make_ring(title, made, ring["thickness_mm"], DOWEL / 2, ring["tooth_height_mm"])
+    bodies = parts(block, side, printer["bed_mm"], printer["tolerance_mm"])
+    return native.make_ring(title, bodies, ring["thickness_mm"], DOWEL / 2, ring["tooth_height_mm"])
 
 
 def parts(block: Mapping[str, Any], side: str, bed: Sequence[float], fit: float
@@ -40,23 +40,23 @@ def parts(block: Mapping[str, Any], side: str, bed: Sequence[float], fit: float
     """Outline, window, teeth and holes of each part. fit: mm that stay free between parts."""
     places, holes = teeth(block, side), np.array(_corners(outer_size(block), RIM / 2))
     outer, width = outer_size(block), frame_width(block)
-    made = cuts(block, side, bed)
-    if not made:
+    places_of_cuts = cuts(block, side, bed)
+    if not places_of_cuts:
         return [(np.array(_corners(outer)), np.array(_corners(outer, width)), places, holes)]
-    found = []
-    for one, following in zip(made, made[1:] + made[:1]):
+    whole = []
+    for cut, following in zip(places_of_cuts, places_of_cuts[1:] + places_of_cuts[:1]):
         # Corners between the two cuts; the inner ones are passed on the way back.
-        between = [k % 4 for k in range(one[0] + 1, following[0] + 1 + 4 * (following <= one))]
+        between = [k % 4 for k in range(cut[0] + 1, following[0] + 1 + 4 * (following <= cut))]
         inner = [_corners(outer, width)[k] for k in reversed(between)]
         line = np.array([*(_corners(outer)[k] for k in between), *_profile(block, places, following, 0.0),
-                         *inner, *_profile(block, places, one, fit)[::-1]])
+                         *inner, *_profile(block, places, cut, fit)[::-1]])
         inside = Outline(line).contains_points
-        found.append((line, np.zeros((0, 2)), places[inside(places)], holes[inside(holes)]))
-    return found
+        whole.append((line, np.zeros((0, 2)), places[inside(places)], holes[inside(holes)]))
+    return whole
 
 
 def _corners(size: Sequence[float], inset: float = 0.0) -> list[tuple[float, float]]:
-    """Of a rectangle, counter-clockwise from the lower left."""
+    """Corners of a rectangle, counter-clockwise from the lower left."""
     x, y = size[0] - inset, size[1] - inset
     return [(inset, inset), (x, inset), (x, y), (inset, y)]
 

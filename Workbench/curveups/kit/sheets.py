@@ -75,20 +75,20 @@ Make = Callable[[], bytes]
 def files(kit: Kit) -> dict[str, Make]:
     """Makers of sheets, by the names of their files. The order comes first: it lists the files before it."""
     sides = ("front", "back")
-    made: dict[str, Make] = {"shop.pdf": partial(shop_page, kit)}
+    makers: dict[str, Make] = {"shop.pdf": partial(shop_page, kit)}
     for side in sides:
         for kind in ("pdf", "svg", "dxf"):
-            made[f"latex-{side}.{kind}"] = partial(latex.make, kit, side, kind)
+            makers[f"latex-{side}.{kind}"] = partial(latex.make, kit, side, kind)
     for side in sides:
         for kind in ("step", "stl", "dxf"):
-            made[f"ring-{side}.{kind}"] = partial(ring_sheet.make, kit, side, kind)
+            makers[f"ring-{side}.{kind}"] = partial(ring_sheet.make, kit, side, kind)
     for kind in ("html", "pdf"):
-        made[f"assembly.{kind}"] = partial(assembly_sheet.make, kit, kind)
-    made["tiles.svg"] = lambda: svg(maps.tile_map(kit))
+        makers[f"assembly.{kind}"] = partial(assembly_sheet.make, kit, kind)
+    makers["tiles.svg"] = lambda: svg(maps.tile_map(kit))
     for kind in ("pdf", "dxf", "svg"):
-        made[f"trim.{kind}"] = partial(maps.trim_file, kit, kind)
-    made["former.stl"] = partial(former_stl, kit.formers)
+        makers[f"trim.{kind}"] = partial(maps.trim_file, kit, kind)
+    makers["former.stl"] = partial(former_stl, kit.formers)
     if kit.beds is not None and kit.beds.seams:
         for kind in ("dxf", "pdf"):
-            made[f"frame.{kind}"] = partial(maps.frame_file, kit, kind)
-    return {f"{kit.name}-{name}": make for name, make in made.items()}
+            makers[f"frame.{kind}"] = partial(maps.frame_file, kit, kind)
+    return {f"{kit.name}-{name}": make for name, make in makers.items()}

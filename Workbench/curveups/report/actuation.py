@@ -6,12 +6,12 @@ from __future__ import annotations
 
 import base64
 import json
-from html import escape
 from importlib.resources import files
 from pathlib import Path
-from typing import Any, Mapping
+from typing import Any, Iterator
 
 import numpy as np
+from markupsafe import Markup
 
 from .. import __version__
 from ..base.errors import Stopped
@@ -20,13 +20,11 @@ from ..base.output import Folder
 from ..project.project import Results
 from ..stages import RISEN
 from ..stages.actuation import DRAG, Actuation, moved
-from ..stages.stage import Job
+from ..stages.stage import Job, Picture
 from . import html
 from .data import to_text
-from .html import WORDS, states_table
 
 OPEN = (4, 75)  # hue and saturation (%) of tiles whose contacts stay open
-_CANVAS = "width:100%;background:#fff;border:1px solid #e8e1d3;border-radius:.4rem;touch-action:none"
 
 
 def front_corners(design: Any, rows: np.ndarray) -> np.ndarray:
@@ -34,45 +32,31 @@ def front_corners(design: Any, rows: np.ndarray) -> np.ndarray:
     return moved(np.asarray(design.V)[np.asarray(design.F)], rows)
 
 
-def moving_view(found: Actuation) -> str:
+def moving_view(piece: Actuation) -> Markup:
     """The frames, to be played, turned by dragging and stepped through; one a page. Corners are 16-bit
     numbers."""
-    frames = found.frames
-    corners = np.stack([front_corners(found.design, rows).reshape(-1, 3) for rows in frames])
+    corners = np.stack([front_corners(piece.design, rows).reshape(-1, 3) for rows in piece.frames])
     corners -= corners.mean(1, keepdims=True)  # the layout may lie far from the target
     size = max(float(np.linalg.norm(corners, axis=2).max()), 1e-9)  # it fits however it is turned
     whole = np.round(corners * (32767 / size)).astype("<i2")
-    data = base64.b64encode(whole.tobytes()).decode("ascii")
-    script = files(__package__).joinpath("frames.js").read_text("utf-8")
-    marks = open_tiles(found)
-    return (f'<canvas id="piece" width="1200" height="760" style="{_CANVAS}"></canvas>'
-            f'<p><button id="play">Play</button> <input id="frame" type="range" min="0" '
-            f'max="{len(frames) - 1}" value="0" style="width:70%"> <span id="at"></span></p>'
-            f"<script>const FRAMES={len(frames)},DATA='{data}',"
-            f"DOING={json.dumps([WORDS[load] for load in found.loads])},MARKS={json.dumps(marks)},"
-            f"HUE={json.dumps(OPEN)},"
-            f"TIMES={np.round(found.time, 6).tolist()},"
-            f"ENERGIES={np.round(found.energy, 3).tolist()};\n{script}</script>{_legend(marks)}")
+    marks = open_tiles(piece)
+    return html.render(
+        "moving.html", count=len(corners), data=base64.b64encode(whole.tobytes()).decode("ascii"),
+        doing=[html.STATE_NAMES[load] for load in piece.loads], marks=marks, hue=OPEN,
+        frames=[frame + 1 for frame in marks], times=np.round(piece.time, 6).tolist(),
+        energies=np.round(piece.energy, 3).tolist(),
+        script=Markup(files(__package__).joinpath("frames.js").read_text("utf-8")))
 
 
-def open_tiles(found: Actuation) -> dict[int, list[bool]]:
+def open_tiles(piece: Actuation) -> dict[int, list[bool]]:
     """Tiles of open contacts in the frames in which the piece comes to rest, where there are some."""
     marks = {}
-    for state in found.states.values():
-        of_tile = np.zeros(len(found.design.F), bool)
+    for state in piece.states.values():
+        of_tile = np.zeros(len(piece.design.F), bool)
         of_tile[[tile for pair in state["open_contacts"] for tile in pair]] = True
         if state["converged"] and of_tile.any() and "last_frame" in state:
             marks[state["last_frame"]] = of_tile.tolist()
     return marks
-
-
-def _legend(marks: Mapping[int, list[bool]]) -> str:
-    """Meaning of the colour, and the frames that have it."""
-    if not marks:
-        return ""
-    frames = ", ".join(str(frame + 1) for frame in marks)
-    return (f'<p class="note"><span style="color:hsl({OPEN[0]},{OPEN[1]}%,50%)">&#9632;</span> tiles of '
-            f"contacts that stay open, where the piece comes to rest: frame {frames}</p>")
 
 
 FORMAT, VERSION = "curveups-actuation", 1
@@ -96,7 +80,7 @@ def write_actuation(results: Results, path: Path, job: Job) -> bool:
         folder.write_text(ANSWER, to_text({
             "format": FORMAT, "version": VERSION, "name": results.name,
             "status": "stopped" if stopped else "complete", "tiles": len(piece.design.F),
-            "actuation": piece.block, "findings": [one.entry() for one in piece.findings()],
+            "actuation": piece.block, "findings": [finding.entry() for finding in piece.findings()],
             "software": {"curveups": __version__}, "files": dict(folder.files)}))
     return stopped
 
@@ -143,20 +127,15 @@ def _coordinates(corners: np.ndarray) -> list[list[float]]:
 
 
 def _page(piece: Actuation, name: str) -> str:
-    """actuation.html: the moving picture, then the states."""
-    return html.page(name, [
-        f"<h1>{escape(name)}: from flat to shape</h1>",
-        *(f"<p>{escape(str(one))}</p>" for one in piece.findings()),
-        *([html.picture(moving_view(piece), DRAG)] if len(piece.time) else []),
-        "<h2>Where it comes to rest</h2>", states_table(piece.block),  *_maps(piece)])
+    """Text of actuation.html."""
+    return html.render("actuation.html", title=name, findings=piece.findings(), block=piece.block, drag=DRAG,
+                       moving=moving_view(piece) if len(piece.time) else None, maps=list(_maps(piece)))
 
 
-def _maps(piece: Actuation) -> list[str]:
+def _maps(piece: Actuation) -> Iterator[Picture]:
     """Tiles of each state, coloured by their distances from the target, on one scale."""
-    parts = []
     for state in piece.states:
         corners = front_corners(piece.design, piece.tiles(state)).reshape(-1, 3)
-        said = f"{WORDS[state].capitalize()}: distance of each tile from the target."
-        parts += html.pictured("distance", said, V=corners, F=np.arange(len(corners)).reshape(-1, 3),
-                               values=piece.deviation(state), most=float(piece.deviations.max()))
-    return parts
+        yield Picture("", f"{html.STATE_NAMES[state].capitalize()}: distance of each tile from the target.",
+                      "distance", {"V": corners, "F": np.arange(len(corners)).reshape(-1, 3),
+                                   "values": piece.deviation(state), "most": float(piece.deviations.max())})

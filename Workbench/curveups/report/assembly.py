@@ -113,20 +113,20 @@ def glue_volumes(block: Mapping[str, Any]) -> dict[str, float]:
 def glue_asked(report: Mapping[str, Any]) -> float:
     """Shear in MPa that the glue of the most loaded pin or anchor has to hold, rounded up to a hundredth; 0
     where neither is known."""
-    found = [report["glue"]["shear_max_mpa"]] if "glue" in report else []
-    found += report.get("anchors", {}).get("glue_shear_mpa", ())
-    return math.ceil(100 * max(found, default=0.0)) / 100
+    shears = [report["glue"]["shear_max_mpa"]] if "glue" in report else []
+    shears += report.get("anchors", {}).get("glue_shear_mpa", ())
+    return math.ceil(100 * max(shears, default=0.0)) / 100
 
 
 def steps(report: Mapping[str, Any], parameters: Any, say: Language = ENGLISH) -> list[Step]:
-    """What is done in which order, for whoever puts it together."""
+    """Steps of the assembly in their order."""
     values = _values(report, parameters, say)
     return [Step(say(title, **values), say(text, **values), picture)
             for title, text, picture in _steps(report, parameters, values)]
 
 
 def _values(report: Mapping[str, Any], parameters: Any, say: Language) -> dict[str, Any]:
-    """What the steps' texts name. sides: which is glued first, and which then."""
+    """Values that the texts of the steps name. sides: in the order in which they are glued."""
     get, block, sheets = parameters.get, report["print"], report["sheets"]
     beds, support = report.get("beds", {}), native.support_kind(parameters)
     anchors = sheets["anchors"] - beds.get("anchors_left_out", 0)
@@ -155,7 +155,7 @@ def _values(report: Mapping[str, Any], parameters: Any, say: Language) -> dict[s
     along = slab or (reach_out and on_bed == second)
     lies = say("As it was printed, the {side} is up.", side=words["front" if on_bed == "back" else "back"])
     stretched, joints = sheets["control_square_stretched_mm"], report.get("joints", {})
-    worst = _pairs(one["tiles"] for one in report.get("worst_contacts", ()))
+    worst = _pairs(row["tiles"] for row in report.get("worst_contacts", ()))
     facing = _pairs(report.get("borders", {}).get("named", ()))
     weak = say("Take care with the tiles of the weakest contacts: {worst}.", worst=worst) if worst else ""
     behind = say("On the {second} {level} and would be glued along.", second=words[second],
@@ -166,8 +166,8 @@ def _values(report: Mapping[str, Any], parameters: Any, say: Language) -> dict[s
     stays = say("Take the bath that the shop names for its support, if scraps of the latex and the glue have "
                 "stood it, and a tub that holds the ring. The membrane stays on its ring while it is washed "
                 "and dries") if support.soluble else say("The membrane stays on its ring")
-    which = "; ".join(say("from bed {bed}: {parts}", bed=number, parts=", ".join(map(str, one["parts"])))
-                      for number, one in enumerate(beds.get("beds", ()), 1))
+    which = "; ".join(say("from bed {bed}: {parts}", bed=number, parts=", ".join(map(str, row["parts"])))
+                      for number, row in enumerate(beds.get("beds", ()), 1))
     return {"name": report["name"], "which": which, "slab": support.soluble, "parts": beds.get("parts", 1),
             "opening": beds.get("opening_mm", 0.0), "error": beds.get("position_error_mm", 0.0),
             "half": sheets["tooth_pitch_mm"] / 2, "stop": say(_STOP) if report["cuts"] else "",
@@ -216,7 +216,7 @@ def _steps(report: Mapping[str, Any], parameters: Any, values: Mapping[str, Any]
 
 
 def _pairs(pairs: Iterable[Sequence[int]]) -> str:
-    """Of tiles, by their names."""
+    """Names of pairs of tiles."""
     return ", ".join("–".join(map(tile_name, pair)) for pair in pairs)
 
 

@@ -6,7 +6,6 @@ from __future__ import annotations
 import json
 import math
 import sys
-from html import escape
 from typing import Any, Sequence
 
 import numpy as np
@@ -28,7 +27,7 @@ def build_report(results: Results, rows: Sequence[Row], stopped: bool, files: di
         "tiles": 0, "contacts": 0, "cuts": 0, "valid": verdict.valid, "holds": verdict.holds,
         "reasons": list(map(str, verdict.reasons)),
         "causes": [{"kind": reason.group, "tiles": list(reason.tiles)} for reason in verdict.reasons],
-        "warnings": [found.entry() for found in results.warnings()],
+        "warnings": [warning.entry() for warning in results.warnings()],
         "front": "the side that the normals of F point to; counter-clockwise seen from there",
     }
     checked = results.get("check")
@@ -63,7 +62,7 @@ def list_files(report: dict[str, Any], files: dict[str, int]) -> None:
 
 
 def has_solids(results: Results) -> bool:
-    """Whether there are solids to be written."""
+    """True if there are solids to be written."""
     return "solids" in results and results["solids"].model is not None
 
 
@@ -82,17 +81,6 @@ def _finite(value: Any) -> Any:
     if isinstance(value, float) and not math.isfinite(value):
         return None
     return value
-
-
-def table(rows: Sequence[tuple[Any, ...]], head: tuple[str, ...] = ()) -> str:
-    """Rows of texts and numbers."""
-    top = "<tr>" + "".join(f"<th>{escape(cell)}</th>" for cell in head) + "</tr>" if head else ""
-    lines = []
-    for row in rows:
-        cells = "".join(f"<td>{escape(show(cell))}</td>" for cell in row)
-        lines.append(f"<tr>{cells}</tr>")
-    kind = "" if len(head) > 2 else ' class="pairs"'
-    return f"<table{kind}>{top}{''.join(lines)}</table>"
 
 
 def show(value: Any) -> str:

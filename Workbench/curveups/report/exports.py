@@ -46,7 +46,7 @@ class Doubt(Result):
 
 def choices() -> list[File]:
     """All files that there are."""
-    return [(kind, one.ending) for one in native.print_formats() for kind in one.kinds]
+    return [(kind, form.ending) for form in native.print_formats() for kind in form.kinds]
 
 
 def file_names(name: str, choice: Choice, more: Mapping[str, Callable[[str], str]] = MappingProxyType({})
@@ -54,7 +54,7 @@ def file_names(name: str, choice: Choice, more: Mapping[str, Callable[[str], str
     """The name of each chosen file. more: other fields that the mask may have, by the kind of bodies. Raises
     CurveUpsError for a mask that does not do."""
     fields: dict[str, Callable[[str], str]] = {"name": lambda kind: safe_name(name), "body": str, **more}
-    known = " and ".join(filter(None, (", ".join(f"{{{one}}}" for one in list(fields)[:-1]),
+    known = " and ".join(filter(None, (", ".join(f"{{{field}}}" for field in list(fields)[:-1]),
                                        f"{{{list(fields)[-1]}}}")))
     try:
         used = {part[1] for part in string.Formatter().parse(choice.mask) if part[1] is not None}
@@ -63,19 +63,19 @@ def file_names(name: str, choice: Choice, more: Mapping[str, Callable[[str], str
     if used - set(fields):
         raise CurveUpsError(f"the names '{choice.mask}' ask for {{{sorted(used - set(fields))[0]}}}", "",
                             f"use {known}")
-    found: dict[File, str] = {}
+    names: dict[File, str] = {}
     for kind, ending in choice.files:
         stem = choice.mask
-        for one, value in fields.items():
-            stem = stem.replace(f"{{{one}}}", value(kind))
+        for field, value in fields.items():
+            stem = stem.replace(f"{{{field}}}", value(kind))
         file = f"{safe_name(stem)}.{ending}"
         if stem != safe_name(stem):
             raise CurveUpsError(f"'{stem}' is no name for a file", "",
                                 f"use letters, digits, '-', '_', {known}")
-        if file in found.values():
+        if file in names.values():
             raise CurveUpsError(f"two files would be called {file}", "", "put {body} into the names")
-        found[kind, ending] = file
-    return found
+        names[kind, ending] = file
+    return names
 
 
 def write_export(project: Project, folder: Path, choice: Choice, job: Job) -> Folder:
@@ -112,10 +112,10 @@ def write_spares(project: Project, folder: Path, tiles: str, job: Job) -> list[s
         raise Stopped
     spares = model.only_tiles(sorted(rows))
     with Folder(folder) as place, translated(project.where):
-        for one in native.print_formats():
-            kind, file = "tiles" if "tiles" in one.kinds else "print", f"{project.name}-spares.{one.ending}"
+        for form in native.print_formats():
+            kind, file = "tiles" if "tiles" in form.kinds else "print", f"{project.name}-spares.{form.ending}"
             job.go_on(f"writing {file}")
-            place.write(file, _writer(spares, kind, one.ending, job))
+            place.write(file, _writer(spares, kind, form.ending, job))
     return list(place.files)
 
 
@@ -164,7 +164,7 @@ def run_under(project: Project, design: Any, parameters: Any, goals: Sequence[st
               note: Optional[Finding] = None) -> Results:
     """Results of a project's design under the title that `design` has, which labels, solids and files carry;
     what does not depend on it is taken over. Files are named as before."""
-    known = {name: made for name, made in project.made().items()
+    known = {name: result for name, result in project.made().items()
              if name not in (*asked_by("print"), "design")}
     given = {"design": FinishedDesign(design, None, project.latest("design").unsettled)}
     results = Project(design.name, parameters, given, project.where, known).run(goals, job, True, note)
@@ -172,7 +172,7 @@ def run_under(project: Project, design: Any, parameters: Any, goals: Sequence[st
 
 
 def _current(project: Project, names: Iterable[str]) -> tuple[str, ...]:
-    """Those whose results are there and not out of date; figures take no time."""
+    """Names of the stages whose results are current; figures take no time."""
     return ("figures", *(name for name in names if project.out_of_date(name) == ()))
 
 

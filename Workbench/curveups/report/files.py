@@ -95,13 +95,13 @@ def write_check(results: Results, path: Path) -> None:
 def _earlier(results: Results, path: Path) -> list[str]:
     """The files that a run under this name may have left, but for the cuts that this one was given."""
     name = results.name
-    made = [f"{name}-{kind}.{one.ending}" for one in native.print_formats() for kind in one.kinds]
+    names = [f"{name}-{kind}.{form.ending}" for form in native.print_formats() for kind in form.kinds]
     request = results.get("cut request")
     given = Path(request.where) if request is not None and request.where else None
     cuts = path / f"{name}-cuts.json"
     if not (given and cuts.exists() and given.exists() and cuts.samefile(given)):
-        made.append(cuts.name)
-    return [*made, f"{name}.FCStd"]
+        names.append(cuts.name)
+    return [*names, f"{name}.FCStd"]
 
 
 def write_reports(results: Results, folder: Folder, rows: list[Row] | None = None, stopped: bool = False,

@@ -164,8 +164,8 @@ def _seen(design: Any, turned: bool = False) -> tuple[np.ndarray, np.ndarray]:
 
 def in_view(points: np.ndarray, V: np.ndarray | None, seen_by: np.ndarray, turned: bool) -> np.ndarray:
     """Points about the middle of V, or directions, in the coordinates of a camera."""
-    found = (points if V is None else points - V.mean(0)) @ seen_by.T
-    return found * np.array([-1.0, 1.0, -1.0]) if turned else found
+    seen = (points if V is None else points - V.mean(0)) @ seen_by.T
+    return seen * np.array([-1.0, 1.0, -1.0]) if turned else seen
 
 
 def _bounds(corners: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -266,9 +266,9 @@ def stretch_view(membranes: Sequence[Any], width: float = 10.0) -> bytes:
             axes.spines[side].set_visible(False)
     figure.colorbar(drawn, cax=figure.add_axes([0.935, 0.2, 0.015, 0.65]), extend="both",
                     label="larger principal stretch")
-    found = np.concatenate([np.asarray(m["tension"]) for m in membranes])
+    tension = np.concatenate([np.asarray(m["tension"]) for m in membranes])
     marks = [Patch(facecolor=colour, label=label) for kind, colour, label in
-             ((WRINKLED, WRINKLE, "wrinkled: tinted"), (SLACK, LOOSE, "slack")) if (found == kind).any()]
+             ((WRINKLED, WRINKLE, "wrinkled: tinted"), (SLACK, LOOSE, "slack")) if (tension == kind).any()]
     if marks:
         figure.legend(handles=marks, loc="lower center", ncol=2, frameon=False)
     return _png(figure, scale=True)
@@ -286,7 +286,7 @@ def _scale(membranes: Sequence[Any]) -> Normalize:
 
 
 def _draw(axes: Any, membrane: Any, scale: Normalize) -> PolyCollection:
-    """One membrane. Triangles are drawn without smooth edges, which would leave seams and take longer."""
+    """Membrane on axes. Triangles have no smooth edges, which would leave seams and take longer."""
     corners = np.asarray(membrane["flat"])[np.asarray(membrane["triangles"])]
     tension = np.asarray(membrane["tension"])
     values = np.ma.array(np.asarray(membrane["stretch"])[:, 0], mask=tension == SLACK)

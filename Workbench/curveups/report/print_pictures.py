@@ -31,7 +31,7 @@ def print_view(models: Sequence[Any], bed: Sequence[float], width: float = 9.0, 
 
 
 def draw_prints(axes: Any, models: Sequence[Any], bed: Sequence[float], say: Language = ENGLISH) -> None:
-    """One print with its dimensions; several each on its bed, side by side."""
+    """Print with its dimensions; several prints side by side, each on its bed."""
     if not models[1:]:
         draw_print(axes, models[0], bed, say)
         return
@@ -65,7 +65,7 @@ def draw_prints(axes: Any, models: Sequence[Any], bed: Sequence[float], say: Lan
 
 
 def draw_print(axes: Any, model: Any, bed: Sequence[float] = (), say: Language = ENGLISH) -> None:
-    """What lies on top, lit, in the colours of the files; dimensions below and beside."""
+    """Upper faces, lit, in the colours of the files; dimensions below and beside."""
     corners, colours = _seen(model)
     axes.add_collection(PolyCollection(corners, facecolors=colours, linewidths=0, antialiaseds=False,
                                        rasterized=True))
@@ -112,16 +112,16 @@ def _seen(model: Any) -> tuple[np.ndarray, np.ndarray]:
     for kind in KINDS:
         if model.volumes[kind] > 0:
             V, F, _ = model.mesh(kind)
-            found = V[F]
-            normal = np.cross(found[:, 1] - found[:, 0], found[:, 2] - found[:, 0])
-            found = found[normal[:, 2] > 0.05 * np.linalg.norm(normal, axis=1)]
+            triangles = V[F]
+            normal = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
+            triangles = triangles[normal[:, 2] > 0.05 * np.linalg.norm(normal, axis=1)]
             # Darker with depth, in bands.
-            below = found[:, :, 2].max() - found[:, :, 2].mean(1)
-            corners.append(found)
+            below = triangles[:, :, 2].max() - triangles[:, :, 2].mean(1)
+            corners.append(triangles)
             colours.append(np.array(native.COLOURS[kind]) / 255 * (1 - 0.6 * (below % BAND) / BAND)[:, None])
-    found, colour = np.concatenate(corners), np.concatenate(colours)
-    order = np.argsort(found[:, :, 2].mean(1), kind="stable")
-    return found[order][:, :, :2], colour[order]
+    triangles, colour = np.concatenate(corners), np.concatenate(colours)
+    order = np.argsort(triangles[:, :, 2].mean(1), kind="stable")
+    return triangles[order][:, :, :2], colour[order]
 
 
 def _dimension(axes: Any, start: tuple[float, float], end: tuple[float, float], text: str, size: float,

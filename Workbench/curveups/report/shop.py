@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a print shop has to know: the rules of the order, and what it quotes by."""
+"""Order for a print shop: its rules, and the figures of a quote."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _SIDES = {"front-up": Text("front side up"), "front-down": Text("front side down
 
 
 def rules(report: Mapping[str, Any], parameters: Any, say: Language = ENGLISH) -> list[str]:
-    """What the shop must do, and must not."""
+    """Rules of the order, a sentence each."""
     support, pieces = native.support_kind(parameters), report["print"]["pieces"]
     tilted, beds = is_tilted(parameters), len(report.get("beds", {}).get("beds", ()))
     if support.soluble:
@@ -30,10 +30,10 @@ def rules(report: Mapping[str, Any], parameters: Any, say: Language = ENGLISH) -
                    "place.")
     else:
         kept = say("Nothing joins the tiles: keep each in its place, on the bed's plate or on adhesive film.")
-    one = say("One build: all bodies belong together, {pieces} pieces of them.", pieces=pieces) \
+    build = say("One build: all bodies belong together, {pieces} pieces of them.", pieces=pieces) \
         if pieces > 1 else say("One build: all bodies belong together.")
     if beds > 1:
-        one = say("{beds} builds, one a bed: the bodies of a bed belong together.", beds=beds)
+        build = say("{beds} builds, one a bed: the bodies of a bed belong together.", beds=beds)
     printer = read_printer(parameters.get("printer"))
     fixed = say("Do not scale or arrange: bodies stand in their places, and {tiles} of them are meant to be "
                 "apart.", tiles=report["tiles"]) if tilted else \
@@ -46,7 +46,7 @@ def rules(report: Mapping[str, Any], parameters: Any, say: Language = ENGLISH) -
     reach_out = not tilted and overhangs(report["print"]["overhang_mm"], parameters, printer)
     added = say("Let the slicer put supports below tiles that reach out, on the bed alone, and leave these "
                 "in, too: whoever puts the print together takes them off.")
-    return [kept, *([added] if reach_out else []), say("Ship flat, between two stiff boards."), one, fixed,
+    return [kept, *([added] if reach_out else []), say("Ship flat, between two stiff boards."), build, fixed,
             *([say("Tilt the whole of it by 30° to 45°, so that no layer is peeled off the vat by its whole "
                    "area, on supports of the slicer's, which touch the side on the bed alone. Wash, take "
                    "these supports off, and cure with the bridges on.")]
@@ -54,20 +54,20 @@ def rules(report: Mapping[str, Any], parameters: Any, say: Language = ENGLISH) -
 
 
 def has_bridges(parameters: Any) -> bool:
-    """Whether breakaway bridges join the tiles of the print."""
+    """True if breakaway bridges join the tiles of the print."""
     support = native.support_kind(parameters)
     return bool(support.bodies) and not support.soluble
 
 
 def is_tilted(parameters: Any) -> bool:
-    """Whether a layer of the print lying flat would hold to the vat by its whole area."""
+    """True if a layer of the print lying flat would hold to the vat by its whole area."""
     return "resin" in read_printer(parameters.get("printer"))["name"] \
         and not native.support_kind(parameters).soluble
 
 
 def quote(report: Mapping[str, Any], parameters: Any, quantity: int = 1, say: Language = ENGLISH,
           whole: Sequence[str] = ()) -> list[tuple[str, str]]:
-    """What a shop quotes by, and what to buy besides. whole: as of Kit; the usual names where none are
+    """Figures by which a shop quotes, with their labels. whole: as of Kit; the usual names where none are
     given."""
     block, get, name = report["print"], parameters.get, report["name"]
     support = native.support_kind(parameters)
@@ -87,7 +87,7 @@ def quote(report: Mapping[str, Any], parameters: Any, quantity: int = 1, say: La
             first=first) if beds else \
         say("{threemf} or {step}: every body with its name, in place; or the files of tiles, anchors and "
             "support, with one origin", threemf=first, step=last)
-    boxes = [one["bbox_mm"] for one in beds] or [block["bbox_mm"]]
+    boxes = [bed_figures["bbox_mm"] for bed_figures in beds] or [block["bbox_mm"]]
     each = "; ".join(f"{x:.1f} × {y:.1f} × {z:.1f} mm" for x, y, z in boxes[:MOST_SIZES])
     sizes = each if len(boxes) <= MOST_SIZES else say("{each}; the picture has the others", each=each)
     material = say("two materials: {material}, and support that a bath dissolves",
@@ -135,7 +135,7 @@ def quote(report: Mapping[str, Any], parameters: Any, quantity: int = 1, say: La
 
 
 def latex(report: Mapping[str, Any], parameters: Any, say: Language = ENGLISH) -> str:
-    """What to buy for the membranes."""
+    """Description of the latex to buy for both membranes."""
     get, sheets = parameters.get, report["sheets"]
     x, y = sheets["cut_mm"]
     thickness, modulus = (_either(say, *(get(f"{name}_{side}") for side in ("front", "back")))
@@ -156,7 +156,7 @@ def print_picture(results: Results) -> Optional[Picture]:
 
 
 def _either(say: Language, front: float, back: float) -> str:
-    """One number, or the front's and the back's."""
+    """Text of a number, or of the front's and the back's."""
     if front == back:
         return f"{front:g}"
     return say("{front:g} (front) and {back:g} (back)", front=front, back=back)

@@ -94,7 +94,7 @@ class Actuation(Result):
             return ()
         said = "; ".join(map(str, self.findings()))
         return (Picture("From flat to shape", f"{said[0].upper()}{said[1:]}. {DRAG}", "moving",
-                        {"found": self}),)
+                        {"piece": self}),)
 
     def rows(self, seconds: float) -> Sequence[Row]:
         return (Row("actuate", seconds, sum(one["steps"] for one in self.states.values())),)

@@ -31,8 +31,8 @@ def shared_edges(faces: Sequence[Any]) -> Iterator[tuple[Any, int, int]]:
 
 
 def creases(faces: Sequence[Any], V: np.ndarray, angle: float) -> np.ndarray:
-    """Of the triangulation of faces with vertices V (N x 3) the sides that lie on edges between two of them
-    whose normals differ by more than `angle` (degrees) somewhere along the edge: pairs of vertices, E x 2."""
+    """Sharp sides of the triangulation of faces with vertices V (N x 3), as pairs of vertices (E x 2). They
+    lie on edges along which the normals of both faces differ by more than `angle` (degrees) somewhere."""
     pairs: list[tuple[int, int]] = []
     if angle < 180:
         vertices = _Vertices(V)
@@ -65,7 +65,7 @@ def normals_along(edge: Any, first: Any, second: Any, places: int) -> Iterator[t
 
 
 class _Vertices:
-    """Of a triangulation, found by where they are."""
+    """Vertices of a triangulation, found by their coordinates."""
 
     def __init__(self, V: np.ndarray):
         self._V = V

@@ -107,7 +107,7 @@ def triangles_of_mesh(mesh: Any) -> Mesh:
 
 
 def surface_of_shape(shape: Any, deflection: float, choice: Choice, where: str) -> Read:
-    """What is chosen of a Shape of FreeCAD, as triangles; `where` names it in messages."""
+    """Triangles of the chosen part of a Shape of FreeCAD; `where` names it in messages."""
     _, part = freecad_session.load("Part")
     with _freecads_errors(where):
         chosen = choose(shape, choice, where)

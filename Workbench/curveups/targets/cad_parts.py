@@ -87,23 +87,23 @@ def _exact(body: Any, wall: Wall) -> float:
     """The wall's thickness at the middle of the outer skin's largest face; as it was found among facets where
     that is at an edge or a hole."""
     _, part = freecad_session.load("Part")
-    face = max((body.Faces[k] for k in wall.outer), key=lambda one: one.Area)
+    face = max((body.Faces[k] for k in wall.outer), key=lambda face: face.Area)
     u0, u1, v0, v1 = face.ParameterRange
     point = part.Vertex(face.valueAt((u0 + u1) / 2, (v0 + v1) / 2))
-    found = float(point.distToShape(part.Compound([body.Faces[k] for k in wall.inner]))[0])
-    return found if abs(found - wall.thickness) < 0.05 * wall.thickness else wall.thickness
+    distance = float(point.distToShape(part.Compound([body.Faces[k] for k in wall.inner]))[0])
+    return distance if abs(distance - wall.thickness) < 0.05 * wall.thickness else wall.thickness
 
 
 def _numbered(shape: Any, text: str, where: str) -> list[Any]:
     count = len(shape.Faces)
-    found: list[int] = []
+    numbers: list[int] = []
     for word in re.split(r"[\s,]+", text.strip()):
         first, _, last = word.partition("-")
         low, high = int(first.replace("Face", "")), int((last or first).replace("Face", ""))
         if not 1 <= low <= high <= count:
             raise CurveUpsError(f"there is no {word}", where, f"the part has Face1 to Face{count}")
-        found += range(low, high + 1)
-    return [shape.Faces[number - 1] for number in dict.fromkeys(found)]
+        numbers += range(low, high + 1)
+    return [shape.Faces[number - 1] for number in dict.fromkeys(numbers)]
 
 
 def _bodies(shape: Any) -> list[Any]:
@@ -164,7 +164,7 @@ def _described(body: Any) -> str:
 
 
 def _opened(faces: Sequence[Any], opening: str, shape: Any, notes: list[str], where: str) -> list[Any]:
-    """Without the face, or the part, that `open` says."""
+    """Faces without the face, or the part, that `opening` names."""
     if opening == "none":
         return list(faces)
     if opening in ("auto", "largest"):
@@ -211,7 +211,7 @@ def _lies_in(face: Any, axis: str, number: float, tolerance: float) -> bool:
 
 
 def _cut(faces: Sequence[Any], axis: str, number: float, above: bool, shape: Any) -> list[Any]:
-    """What of faces is on one side of a plane."""
+    """Parts of faces on one side of a plane."""
     freecad, part = freecad_session.load("Part")
     box = shape.BoundBox
     low = [box.XMin - 1, box.YMin - 1, box.ZMin - 1]

@@ -103,8 +103,8 @@ class _Samples:
             return distance, hit
         asked = self._chosen()
         for block in np.array_split(asked, max(1, len(asked) * count // 4_000_000)):
-            found, which = self._cast(block)
-            distance[block] = np.where((self.normal[which] * self.normal[block]).sum(1) < _OPPOSITE, found,
+            lengths, which = self._cast(block)
+            distance[block] = np.where((self.normal[which] * self.normal[block]).sum(1) < _OPPOSITE, lengths,
                                        np.nan)
             hit[block] = self.face[which]
         rest = np.setdiff1d(np.arange(count), asked)
@@ -204,9 +204,9 @@ def _spread(side: np.ndarray, meetings: Sequence[tuple[int, int, float, bool]]) 
     while True:
         joined = np.zeros((len(side), 2))
         for first, second, length, smooth in meetings:
-            for one, other in ((first, second), (second, first)):
-                if smooth and side[one] < 0 <= side[other]:
-                    joined[one, side[other]] += length
+            for face, other in ((first, second), (second, first)):
+                if smooth and side[face] < 0 <= side[other]:
+                    joined[face, side[other]] += length
         best = joined.argmax(axis=1)
         grown = np.flatnonzero(joined.max(axis=1) > _JOINED * np.maximum(around, 1e-12))
         if not len(grown):

@@ -196,7 +196,7 @@ def triangles_of(V: np.ndarray, polygons: Sequence[Sequence[int]]) -> np.ndarray
 def _concave(V: np.ndarray, polygons: Sequence[Sequence[int]]) -> set[int]:
     """Numbers of the polygons that turn against their normal somewhere."""
     sizes = np.array([len(polygon) for polygon in polygons])
-    found: set[int] = set()
+    concave: set[int] = set()
     for size in np.unique(sizes[sizes > 3]):
         numbers = np.nonzero(sizes == size)[0]
         corners = V[np.array([polygons[number] for number in numbers])]
@@ -205,8 +205,8 @@ def _concave(V: np.ndarray, polygons: Sequence[Sequence[int]]) -> set[int]:
         normal = np.cross(corners - corners[:, :1], sides).sum(axis=1)
         turns = np.einsum("pcx,px->pc", np.cross(sides, np.roll(sides, -1, axis=1)), normal)
         least = -1e-9 * np.einsum("px,px->p", normal, normal)
-        found.update(numbers[(turns < least[:, None]).any(axis=1)].tolist())
-    return found
+        concave.update(numbers[(turns < least[:, None]).any(axis=1)].tolist())
+    return concave
 
 
 # Letters of the module struct.

@@ -103,24 +103,6 @@ void describe_contacts(const TileMesh& tiles, const BalanceSystem& system,
   }
 }
 
-// Contact points of printed tiles: bumps' tips where a contact has some, else its corners.
-// tips: bump_tips.
-std::vector<ContactPoint> points_at_tips(const std::vector<ContactPoint>& corners,
-                                         const std::vector<Points3>& tips) {
-  std::vector<ContactPoint> out;
-  int last = -1;
-  for (const ContactPoint& corner : corners) {
-    const Points3& apexes = tips[corner.contact];
-    if (apexes.rows() == 0) out.push_back(corner);
-    if (corner.contact == last) continue;
-    last = corner.contact;
-    for (int p = 0; p < apexes.rows(); ++p) {
-      out.push_back({apexes.row(p).transpose(), corner.normal, corner.tile, corner.contact});
-    }
-  }
-  return out;
-}
-
 bool is_feasible(const SolvedDesign& solved, const UnilateralResult& unilateral, double f_min) {
   return unilateral.solve.status == SolveStatus::converged &&
          floor_is_reached(unilateral.largest_floor, f_min, force_scale(solved));
@@ -152,6 +134,22 @@ std::vector<std::array<int, 2>> crossing_sheets(const TileMesh& tiles, const Des
 }
 
 }  // namespace
+
+std::vector<ContactPoint> points_at_tips(const std::vector<ContactPoint>& corners,
+                                         const std::vector<Points3>& tips) {
+  std::vector<ContactPoint> out;
+  int last = -1;
+  for (const ContactPoint& corner : corners) {
+    const Points3& apexes = tips[corner.contact];
+    if (apexes.rows() == 0) out.push_back(corner);
+    if (corner.contact == last) continue;
+    last = corner.contact;
+    for (int p = 0; p < apexes.rows(); ++p) {
+      out.push_back({apexes.row(p).transpose(), corner.normal, corner.tile, corner.contact});
+    }
+  }
+  return out;
+}
 
 VerificationReport verify_design(const Design& design, const Progress& progress,
                                  const VerificationOptions& options) {

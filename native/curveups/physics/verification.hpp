@@ -24,4 +24,9 @@ VerificationReport verify_design(const Design& design, const Progress& progress,
 VerificationReport verify_solved(const DesignGeometry& geometry, const SolvedHandle& solved,
                                  const Progress& progress, const VerificationOptions& options = {});
 
+// Contact points of printed tiles: tips of bumps (bump_tips) at contacts that have some, else the
+// corners of the interface (contact_corners).
+std::vector<ContactPoint> points_at_tips(const std::vector<ContactPoint>& corners,
+                                         const std::vector<Points3>& tips);
+
 }  // namespace curveups

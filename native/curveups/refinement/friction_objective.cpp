@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "curveups/bodies/bumps.hpp"
+#include "curveups/physics/verification.hpp"
 #include "curveups/refinement/force_rows.hpp"
 
 namespace curveups {
@@ -50,8 +52,12 @@ std::vector<std::vector<int>> coloured(const std::vector<std::vector<int>>& arou
 }  // namespace
 
 FrictionObjective::FrictionObjective(const DesignGeometry& geometry, const Parameters& parameters,
-                                     const Wrenches& loads, double unit)
-    : system_(make_balance_system(geometry, parameters)), unit_(unit) {
+                                     const FlatPoses& poses, const Wrenches& loads, double unit)
+    : system_(make_balance_system(
+          geometry, parameters,
+          points_at_tips(contact_corners(geometry, parameters),
+                         bump_tips(plan_bumps(geometry, poses, parameters), geometry.tiles)))),
+      unit_(unit) {
   find_forces(loads);
 }
 

@@ -17,7 +17,7 @@ class FrictionObjective {
  public:
   // loads: on all tiles, N. unit: mean normal force, N.
   FrictionObjective(const DesignGeometry& geometry, const Parameters& parameters,
-                    const Wrenches& loads, double unit);
+                    const FlatPoses& poses, const Wrenches& loads, double unit);
 
   double value() const { return value_; }  // Phi, in squares of the unit
   // Root mean square of the tangential forces, in the unit.

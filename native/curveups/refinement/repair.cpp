@@ -356,7 +356,7 @@ void Repair::lower_friction(RepairResult& result) {
   const Wrenches correction = fresh_->loads - tracked_.forces().loads();
   fresh_.reset();
   const auto objective_here = [&] {
-    return std::make_unique<FrictionObjective>(here_.geometry(), parameters_,
+    return std::make_unique<FrictionObjective>(here_.geometry(), parameters_, here_.poses(),
                                                tracked_.forces().loads() + correction, now.mean);
   };
   std::vector<int> all(here_.geometry().tiles.tile_count());
