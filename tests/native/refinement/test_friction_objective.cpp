@@ -33,7 +33,7 @@ DesignForces forces_at(const Laid& laid) {
 }
 
 FrictionObjective objective_at(const Laid& laid, const DesignForces& forces, double unit) {
-  return {laid.place.geometry(), laid.parameters, forces.loads(), unit};
+  return {laid.place.geometry(), laid.parameters, laid.place.poses(), forces.loads(), unit};
 }
 
 TEST(FrictionObjective, ItsDerivativesAreThoseOfDifferences) {
@@ -77,6 +77,15 @@ TEST(FrictionObjective, ItsValueIsThatOfItsLinearisation) {
   EXPECT_GT(objective.tangential(), 0);
   // Less what active floors are worth by themselves.
   EXPECT_GE(0.5 * local.value.dot(local.solve(local.value)), objective.value() * (1 - 1e-9));
+}
+
+TEST(FrictionObjective, TipsOfBumpsHoldLessTorqueThanCorners) {
+  Laid laid = laid_out();
+  const DesignForces forces = forces_at(laid);
+  const double unit = forces.contact_forces().normal_mean;
+  const double at_tips = objective_at(laid, forces, unit).value();
+  laid.parameters.bumps = "none";
+  EXPECT_GT(at_tips, objective_at(laid, forces, unit).value());
 }
 
 }  // namespace
