@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What macros record, in a FreeCAD without a window: from a surface to files."""
+"""Functions that macros record, in a FreeCAD without a window: from a surface to files."""
 
 import json
 import os
@@ -209,10 +209,14 @@ def test_a_kit_goes_out_of_date_with_its_design(dome_document, tmp_path):
     assert (folder / "kit.json").stat().st_mtime_ns == written  # it was there
     before = design.AnchorRadius.Value
     design.AnchorRadius = before + 1
+    made = design.Document
+    made.recompute()
     assert design.Kit.startswith("out of date: ") and "AnchorRadius" in design.Kit
     design.AnchorRadius = before
+    made.recompute()
     assert design.Kit == "current"
     design.MeshDeviation = 2 * design.MeshDeviation.Value  # of files alone
+    made.recompute()
     assert design.Kit.startswith("out of date: ")
     actions.kit(design, str(folder))
     assert design.Kit == "current" and (folder / "kit.json").stat().st_mtime_ns != written
