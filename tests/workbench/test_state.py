@@ -295,11 +295,11 @@ def test_cuts(document):
 
 def test_a_sheet_that_sets_a_parameter_reads_figures_with_their_units(dome_document):
     document = FreeCAD.openDocument(str(dome_document))
-    design, found = document.Design, document.Verification
-    assert found.MinNormalForce.getValueAs("N").Value > 0 and found.TileCount == design.TileCount
+    design, figures = document.Design, document.Verification
+    assert figures.MinNormalForce.getValueAs("N").Value > 0 and figures.TileCount == design.TileCount
     for name, unit in (("MinNormalForce", "N"), ("FlatArea", "cm^2"), ("MaxDeviation", "mm"),
                        ("TileVolume", "cm^3")):
-        value = getattr(found, name).getValueAs(unit).Value
+        value = getattr(figures, name).getValueAs(unit).Value
         assert abs(value - getattr(design, name)) <= 1e-9 * abs(value), (name, value)
     sheet = document.addObject("Spreadsheet::Sheet", "Sheet")
     sheet.set("A1", "=Verification.MinNormalForce > 1 mN ? 2.5 mm : 3.5 mm")
@@ -351,16 +351,17 @@ def test_copies_have_parts_of_their_own(dome_document, tmp_path):
     document, design = opened(dome_document)
     for deep in (True, False):
         document.copyObject(design, deep)
-    first, second, third = documents.designs(document)
-    names = [getattr(one, part).Name for one in (first, second, third) for part in PARTS]
+    designs = documents.designs(document)
+    first, _, third = designs
+    names = [getattr(design, part).Name for design in designs for part in PARTS]
     assert len(set(names)) == 21 and len(document.Objects) == 24, names
     third.HPin = 0.7
     document.recompute()
-    assert [round(one.Tiles.Shape.BoundBox.ZLength, 6) for one in (first, second, third)] == [5, 5, 4.4]
-    assert [one.Verdict for one in (first, second, third)] == ["valid", "valid", "out of date"]
+    assert [round(design.Tiles.Shape.BoundBox.ZLength, 6) for design in designs] == [5, 5, 4.4]
+    assert [design.Verdict for design in designs] == ["valid", "valid", "out of date"]
     assert documents.design_of(third.Tiles) == third and documents.design_of(first.Cuts) == first
     document, design = reopened(document, copy)
-    assert [one.Verdict for one in documents.designs(document)] == ["valid", "valid", "out of date"]
+    assert [design.Verdict for design in documents.designs(document)] == ["valid", "valid", "out of date"]
 
 
 def test_running_is_said_and_ends(dome_document):

@@ -17,7 +17,7 @@ from ..base.findings import Finding, refused
 from ..base.native import native, problem
 from ..project.keys import Record, key_of
 from ..project.project import Project, Results
-from ..stages import BY_NAME, asked_by
+from ..stages import asked_by
 from ..stages.solids import BODIES
 from . import live, properties, proxy, status, target
 from .parts import add_figures, write_body, write_volumes
@@ -132,7 +132,7 @@ def build(obj: Any) -> None:
     try:
         take_solids(obj, live.design_project_of(obj).run(SOLIDS, strict=True))
     except CurveUpsError as error:
-        fail_solids(obj, refused(error))
+        fail_solids(obj, refused(error), bodies_record(obj))
 
 
 def take_solids(obj: Any, results: Results) -> None:
@@ -143,7 +143,7 @@ def take_solids(obj: Any, results: Results) -> None:
     model = results["solids"].model
     if model is None:  # the run was stopped, or it is known that none can be built
         for reason in (*results["bodies"].reasons(), *results["solids"].reasons()):
-            fail_solids(obj, reason)
+            fail_solids(obj, reason, results.made[BODIES.name].record)
         return
     keys = Keys({name: results.made[name].record for name in SOLIDS},
                 reasons=tuple(results["figures"].reasons()))
@@ -158,9 +158,12 @@ def take_solids(obj: Any, results: Results) -> None:
         FreeCAD.Console.PrintWarning(f"{obj.Label}: {warning}\n")
 
 
-def fail_solids(obj: Any, reason: Finding) -> None:
-    """Store that no solids can be made of the values as they are. The old ones stay."""
-    keys = read_keys(obj)
-    records = {BODIES.name: Record(key_of(BY_NAME[BODIES.name], keys.records, properties.values_of(obj)))}
-    write_keys(obj, Keys(records, failed=True, reasons=(reason,)), "RebuiltKeys")
+def bodies_record(obj: Any) -> Record:
+    """Record of bodies that would be made of the present values."""
+    return Record(key_of(BODIES, read_keys(obj).records, properties.values_of(obj)))
+
+
+def fail_solids(obj: Any, reason: Finding, record: Record) -> None:
+    """Store that no solids can be made of the values in `record`. The old ones stay."""
+    write_keys(obj, Keys({BODIES.name: record}, failed=True, reasons=(reason,)), "RebuiltKeys")
     status.refresh(obj)

@@ -21,9 +21,10 @@ from ..base.errors import CurveUpsError
 from ..base.findings import refused
 from ..base.native import problem
 from ..features import live, proxy
-from ..features.design import SOLIDS, fail_solids, lacks_solids, take_solids
+from ..features.design import SOLIDS, bodies_record, fail_solids, lacks_solids, take_solids
 from ..features.document import has_layout, set_running
 from ..features.status import has_tiles
+from ..project.keys import Record
 from ..project.project import Project
 from ..project.worker import WORKER, Outcome, Status
 from ..stages import label_of
@@ -46,16 +47,14 @@ Place = tuple[str, str]  # names of a document and an object
 @dataclass(frozen=True)
 class Task:
     """title: of the command. work: for the worker's thread; it touches no document. finish: takes the value
-    of the work, in the window's thread. follow: the recompute after that, before the design is drawn.
-    project: of the work, for pictures of it. told: called once the results are drawn and the observers know
-    of the end."""
+    of the work, in the window's thread; a recompute follows. project: of the work, for pictures of it. told:
+    called once the results are drawn and the observers know of the end."""
 
     title: str
     work: Callable[[Job], Any]
     finish: Callable[[Any, Any], None]  # design, value
     project: Optional[Project] = None
     told: Optional[Callable[[], None]] = None
-    follow: Optional[Callable[[Any], None]] = None  # design
 
 
 Observer = Callable[[Status, bool], None]  # where the run is; whether it goes on
@@ -238,8 +237,7 @@ class Live:
         self._drawing, design = False, _find(self._place)
         if design is not None:
             with errors_shown(task.title):
-                if task.follow is not None:
-                    task.follow(design)
+                design.Document.recompute()
                 overlay_of(design).show_design()
         self._report(False)
         if design is None:  # it went away meanwhile
@@ -287,17 +285,18 @@ class Live:
             del self._to_build[place]
             if design is None or not lacks_solids(design):
                 continue
+            record = bodies_record(design)
             try:
                 project = live.design_project_of(design)
             except CurveUpsError as error:
-                fail_solids(design, refused(error))
+                fail_solids(design, refused(error), record)
                 continue
-            WORKER.start(project, SOLIDS, partial(self._built, design))
+            WORKER.start(project, SOLIDS, partial(self._built, design, record))
             self._building = place
             self._timer.start()
             return
 
-    def _built(self, design: Any, outcome: Outcome) -> None:
+    def _built(self, design: Any, record: Record, outcome: Outcome) -> None:
         place, self._building = self._building, None
         _show_in_bar("")
         self._pause.start()  # the next one
@@ -309,7 +308,7 @@ class Live:
         if design.Document.HasPendingTransaction:  # which would hold the shapes
             self._to_build[place] = None
         elif error is not None:
-            fail_solids(design, refused(error))
+            fail_solids(design, refused(error), record)
         elif outcome.value is not None:
             take_solids(design, outcome.value)
 

@@ -64,8 +64,7 @@ def start(which: str, design: Any, told: Optional[Callable[[], None]] = None) ->
     command = "".join(word.capitalize() for word in which.split("_"))
     title = translate(f"CurveUps_{command}", actions.RUNS[which].title)
     project, work = actions.prepare(which, design)
-    LIVE.start(design, Task(title, work, partial(finish, which), project, told,
-                            lambda design: design.Document.recompute()))
+    LIVE.start(design, Task(title, work, partial(finish, which), project, told))
 
 
 def finish(which: str, design: Any, value: Any, *arguments: str) -> None:
