@@ -28,8 +28,7 @@ from .status import KINDS, Keys, digest_of_edges, read_keys, write_keys
 from .target import is_target
 
 __all__ = ["design_of", "design_project_of", "designs", "has_layout", "new_design",
-           "project_of", "set_cuts", "set_running", "set_source", "settings_of", "state_of", "take",
-           "visibility"]
+           "project_of", "set_cuts", "set_running", "set_source", "settings_of", "take", "visibility"]
 
 # Pictures of membranes are most of a verification, and are made anew on request.
 _NOT_STORED = ("membranes",)
@@ -148,12 +147,6 @@ def has_layout(obj: Any) -> bool:
     """True where a Design holds a layout, current or not. Commands read it several times a second: states
     compare all results."""
     return status.is_solved(read_keys(obj))
-
-
-def state_of(obj: Any) -> tuple[str, str]:
-    """State (empty, current, out of date, invalid, running) and reason of a Design."""
-    now = status.status_of(obj)
-    return now.state, "; ".join(map(str, now.reasons))
 
 
 def set_running(obj: Any, running: bool) -> None:
