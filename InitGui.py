@@ -14,15 +14,21 @@ class CurveUpsWorkbench(FreeCADGui.Workbench):
         import os
 
         import curveups
-        from curveups.window import start
+        from curveups.features import proxy
 
+        def attach(obj):
+            """Give a document object its view; everything of the window is imported with the first one."""
+            from curveups.window.viewproviders import attach
+
+            attach(obj)
+
+        proxy.attach_view = attach
         resources = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(curveups.__file__))),
                                  "resources")
         self.__class__.Icon = os.path.join(resources, "icons", "CurveUpsWorkbench.svg")
         FreeCADGui.addIconPath(os.path.join(resources, "icons"))
         FreeCADGui.addLanguagePath(os.path.join(resources, "translations"))
         FreeCADGui.updateLocale()
-        start.install()
 
     def Initialize(self):
         """Called when the workbench is first activated."""

@@ -41,7 +41,7 @@ PYTHON: dict[str, tuple[str, ...]] = {
 }
 LOOSE = {"__init__.py"}  # modules of no room
 # Only what FreeCAD's start, or that of a command that fails, would pay for is imported inside functions.
-LATE = {"features/observer.py", "window/start.py", "cli/__init__.py"}
+LATE = {"features/observer.py", "cli/__init__.py"}
 # Where modules of the window may be imported: a room, or one file.
 GUI = {"FreeCADGui": "window/", "pivy": "window/", "PySide": "window/qt.py", "PySide2": "window/qt.py",
        "PySide6": "window/qt.py"}

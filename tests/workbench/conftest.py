@@ -36,14 +36,14 @@ def designed():
 
 @pytest.fixture(scope="session")
 def dome_document():
-    """Of a dome of 54 tiles. All tests share the file: a test saves elsewhere what it changes."""
+    """Document of a dome of 54 tiles. All tests share the file: a test that changes it saves elsewhere."""
     return shared("document", design_document) / "out" / "dome.FCStd"
 
 
 @pytest.fixture
 def elsewhere(request, tmp_path_factory):
-    """Calls a function of the test's file in another FreeCAD, and gives its value and what FreeCAD printed.
-    home: what that FreeCAD has of the workbench, one of freecad_process.HOMES. ends: FreeCAD has to end by
+    """Call a function of the test's file in another FreeCAD, and return its value and FreeCAD's output.
+    home: the parts of the workbench that it has, one of freecad_process.HOMES. ends: FreeCAD has to end by
     itself afterwards."""
 
     def call(function, *arguments, home="workbench", window=False, ends=False, timeout=300):
@@ -64,7 +64,7 @@ def elsewhere(request, tmp_path_factory):
 
 @pytest.fixture
 def pictures(tmp_path):
-    """Where a test's pictures are kept."""
+    """Folder of a test's pictures."""
     import robot
 
     robot.keep_pictures_in(tmp_path / "pictures")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What macros record, in a FreeCAD without a window: from a surface to files."""
+"""Functions that macros record, in a FreeCAD without a window: from a surface to files."""
 
 import json
 import os
@@ -8,16 +8,16 @@ import FreeCAD
 import pytest
 from curveups.base.errors import CurveUpsError
 from curveups.base.native import native
-from curveups.features import actions, document, properties
+from curveups.features import actions, document as documents, properties
 
 pytestmark = pytest.mark.freecad
 
 
 @pytest.fixture
-def made():
-    found = FreeCAD.newDocument("Made")
-    found.UndoMode = 1
-    return found
+def document():
+    document = FreeCAD.newDocument("Made")
+    document.UndoMode = 1
+    return document
 
 
 def refused(function, *arguments, **more):
@@ -26,25 +26,25 @@ def refused(function, *arguments, **more):
     return str(caught.value)
 
 
-def cap_in(made):
-    sphere = made.addObject("Part::Sphere", "Sphere")
+def cap_in(document):
+    sphere = document.addObject("Part::Sphere", "Sphere")
     sphere.Radius, sphere.Angle1 = 40, 35
-    made.recompute()
-    cap = made.addObject("Part::Feature", "Cap")
+    document.recompute()
+    cap = document.addObject("Part::Feature", "Cap")
     cap.Shape = max(sphere.Shape.Faces, key=lambda face: face.Area)
     return cap
 
 
-def test_from_a_part_to_files(made, tmp_path):
+def test_from_a_part_to_files(document, tmp_path):
     folder = str(tmp_path / "out")
-    design = document.new_design(made, cap_in(made), "My Cap")
+    design = documents.new_design(document, cap_in(document), "My Cap")
     design.L = 11
     assert "no layout" in refused(actions.verify, design)
     results = actions.solve(design)
     assert design.Verdict == "valid", (design.Verdict, design.Reasons)
     assert design.TileCount == len(results.design.F) > 20
-    assert made.UndoNames[0] == "Solve", made.UndoNames
-    made.recompute()
+    assert document.UndoNames[0] == "Solve", document.UndoNames
+    document.recompute()
     files = actions.export(design, folder, mask="{name}_{body}")
     expected = {f"My-Cap_{body}.{ending}" for body, ending in (
         ("tiles", "step"), ("support", "step"), ("anchors", "step"), ("print", "step"), ("actuated", "step"),
@@ -61,34 +61,34 @@ def test_from_a_part_to_files(made, tmp_path):
     assert "'T00001'" in step and "COLOUR_RGB" in step and "NOT VALID" not in step
 
 
-def test_verify_and_repair_start_from_the_layout_as_it_stands(made):
-    design = document.new_design(made, "half-sphere")
+def test_verify_and_repair_start_from_the_layout_as_it_stands(document):
+    design = documents.new_design(document, "half-sphere")
     design.L = 12
     actions.solve(design)
     poses, verdict = list(design.Layout.Poses), design.Verdict
     assert verdict == "valid", design.Reasons
     # Contacts have to be held more firmly than the weakest is.
     design.FMinRatio = 1.2 * design.MinNormalForce / design.MeanNormalForce
-    made.recompute()
+    document.recompute()
     assert design.Verdict == "out of date", design.Verdict
     actions.verify(design)
     assert design.Verdict == "not valid" and list(design.Layout.Poses) == poses
-    assert made.UndoNames[0] == "Verify"
+    assert document.UndoNames[0] == "Verify"
     weak = design.MinNormalForce
     actions.repair(design)
     assert list(design.Layout.Poses) != poses and len(design.Layout.Poses) == len(poses)
     assert design.MinNormalForce > weak, (design.MinNormalForce, weak)
-    made.undo()
+    document.undo()
     assert list(design.Layout.Poses) == poses and design.Verdict == "not valid"
 
 
-def test_what_should_not_be_printed_is_refused_or_says_so(made, tmp_path):
+def test_what_should_not_be_printed_is_refused_or_says_so(document, tmp_path):
     folder = str(tmp_path / "out")
-    design = document.new_design(made, "half-sphere")
+    design = documents.new_design(document, "half-sphere")
     design.L = 12
     actions.solve(design)
     design.Tau = 2.5
-    made.recompute()
+    document.recompute()
     text = refused(actions.export, design, folder)
     assert "out of date" in text and "Tau" in text and "insist" in text, text
     assert not os.path.exists(folder)
@@ -102,9 +102,9 @@ def test_what_should_not_be_printed_is_refused_or_says_so(made, tmp_path):
     assert b"NOT VALID" in (out / "half-sphere-tiles.stl").read_bytes()[:80]
 
 
-def test_exports_that_can_not_be(made, tmp_path):
+def test_exports_that_can_not_be(document, tmp_path):
     folder = str(tmp_path / "out")
-    design = document.new_design(made, "half-sphere")
+    design = documents.new_design(document, "half-sphere")
     assert "no layout" in refused(actions.export, design, folder)
     design.L = 12
     actions.solve(design)
@@ -115,20 +115,20 @@ def test_exports_that_can_not_be(made, tmp_path):
     assert not os.path.exists(folder)
 
 
-def test_a_target_is_checked_and_sizes_that_do_are_taken(made):
-    design = document.new_design(made, "mask")
+def test_a_target_is_checked_and_sizes_that_do_are_taken(document):
+    design = documents.new_design(document, "mask")
     design.L, design.HBody = 14, 28
-    found = actions.find_sizes(design)
-    assert made.UndoNames[0] == "Find Sizes" and design.Verdict == "not judged", design.Verdict
-    assert found["feasibility"].blocked and not found["feasibility"].feasible
-    best = found["sizes"].H_body
+    results = actions.find_sizes(design)
+    assert document.UndoNames[0] == "Find Sizes" and design.Verdict == "not judged", design.Verdict
+    assert results["feasibility"].blocked and not results["feasibility"].feasible
+    best = results["sizes"].H_body
     assert 1 < best < 28, best
-    assert design.Target.Mesh.CountFacets == len(found["feasibility"].F)
+    assert design.Target.Mesh.CountFacets == len(results["feasibility"].F)
     design.HBody = best
-    assert actions.check(design)["feasibility"].feasible and made.UndoNames[0] == "Check"
+    assert actions.check(design)["feasibility"].feasible and document.UndoNames[0] == "Check"
 
     chosen = actions.choose_sizes(design, ("H_body",)).values
-    assert made.UndoNames[0] == "Choose Sizes" and set(chosen) == {"H_body"}
+    assert document.UndoNames[0] == "Choose Sizes" and set(chosen) == {"H_body"}
     assert 0 < float(design.HBody) == chosen["H_body"] <= 3 / 7 * 14, chosen
     design.setExpression("L", "5 mm + 6 mm")
     said = refused(actions.choose_sizes, design)
@@ -139,12 +139,12 @@ def test_a_target_is_checked_and_sizes_that_do_are_taken(made):
     assert (float(design.L), float(design.HBody)) == (chosen["L"], chosen["H_body"])
 
 
-def test_a_profile_sets_what_suits_a_printer_and_nothing_else(made):
-    design = document.new_design(made, "half-sphere")
+def test_a_profile_sets_what_suits_a_printer_and_nothing_else(document):
+    design = documents.new_design(document, "half-sphere")
     design.Tau = 4
     before = {name: getattr(design, name) for name in design.PropertiesList}
     actions.apply_profile(design, "fdm")
-    assert made.UndoNames[0] == "Apply Profile"
+    assert document.UndoNames[0] == "Apply Profile"
     assert (design.L.Value, design.Printer, design.Bumps, design.Tau) == (10, "fdm", "none", 4), design.L
     actions.apply_profile(design, "")
     changed = [name for name, value in before.items()
@@ -152,32 +152,32 @@ def test_a_profile_sets_what_suits_a_printer_and_nothing_else(made):
     assert changed == [], changed
 
 
-def test_a_material_is_chosen_by_name(made):
-    design = document.new_design(made, "half-sphere")
+def test_a_material_is_chosen_by_name(document):
+    design = documents.new_design(document, "half-sphere")
     actions.apply_material(design, "material_tile", "petg")
-    assert made.UndoNames[0] == "Apply Material" and properties.value_of(design, "Density") == 1.27
+    assert document.UndoNames[0] == "Apply Material" and properties.value_of(design, "Density") == 1.27
     design.setExpression("ThicknessFront", "0.4 mm")
-    count = len(made.UndoNames)
+    count = len(document.UndoNames)
     for kind, name, wrong in (("material_membrane", "latex-0.25", "ThicknessFront follows an expression"),
                               ("material_glue", "latex-0.25", "there is no material_glue 'latex-0.25'")):
         with pytest.raises(CurveUpsError, match=wrong):
             actions.apply_material(design, kind, name)
-    assert design.ThicknessBack.Value == 0.5 and len(made.UndoNames) == count
+    assert design.ThicknessBack.Value == 0.5 and len(document.UndoNames) == count
 
 
-def test_density_follows_the_printer_until_it_is_set(made):
-    design = document.new_design(made, "half-sphere")
+def test_density_follows_the_printer_until_it_is_set(document):
+    design = documents.new_design(document, "half-sphere")
 
     def density():
         return round(properties.value_of(design, "Density"), 6)
 
     assert density() == 1.18
-    with actions.transaction(made, "Printer"):
+    with actions.transaction(document, "Printer"):
         design.Printer = "fdm"
     assert density() == 1.24
-    made.undo()
+    document.undo()
     assert (design.Printer, density()) == ("polyjet", 1.18)
-    made.redo()
+    document.redo()
     assert (design.Printer, density()) == ("fdm", 1.24)
     properties.write_parameter(design, "density", 1.05)
     design.Printer = "polyjet"
@@ -189,12 +189,12 @@ def test_density_follows_the_printer_until_it_is_set(made):
     assert (design.Printer, density()) == ("fdm", 1.18)
 
 
-def test_a_step_of_undo_is_in_its_own_document_alone(made):
-    design = document.new_design(made, "half-sphere")
+def test_a_step_of_undo_is_in_its_own_document_alone(document):
+    design = documents.new_design(document, "half-sphere")
     other = FreeCAD.newDocument("Other")  # which a user looks at when a run ends
     other.UndoMode = 1
     actions.apply_profile(design, "fdm")
-    assert made.UndoNames[0] == "Apply Profile" and other.UndoNames == []
+    assert document.UndoNames[0] == "Apply Profile" and other.UndoNames == []
     assert FreeCAD.ActiveDocument == other
 
 
@@ -209,10 +209,14 @@ def test_a_kit_goes_out_of_date_with_its_design(dome_document, tmp_path):
     assert (folder / "kit.json").stat().st_mtime_ns == written  # it was there
     before = design.AnchorRadius.Value
     design.AnchorRadius = before + 1
+    document = design.Document
+    document.recompute()
     assert design.Kit.startswith("out of date: ") and "AnchorRadius" in design.Kit
     design.AnchorRadius = before
+    document.recompute()
     assert design.Kit == "current"
     design.MeshDeviation = 2 * design.MeshDeviation.Value  # of files alone
+    document.recompute()
     assert design.Kit.startswith("out of date: ")
     actions.kit(design, str(folder))
     assert design.Kit == "current" and (folder / "kit.json").stat().st_mtime_ns != written

@@ -11,7 +11,6 @@ import Part
 import pytest
 from curveups.base.errors import CurveUpsError
 from curveups.base.findings import Finding
-from curveups.features import document as designs
 from curveups.project.worker import WORKER
 from curveups.window import qt
 from curveups.window.commands import new_design
@@ -31,7 +30,7 @@ def test_an_example_is_solved_while_one_watches(pictures):
     assert made.Label == "Half-Sphere" and LIVE.busy, (made.Label, report(), panel())
     design = made.Design
     until(lambda: panel().form.isVisible(), 5, "the panel")
-    assert designs.state_of(design)[0] == "running"
+    assert design.Status == "running"
     assert not FreeCADGui.Command.get("CurveUps_Solve").isActive()
     assert "at work" in FreeCADGui.Command.get("CurveUps_Solve").getAction()[0].statusTip()
     overlay = overlay_of(design)
@@ -96,7 +95,7 @@ def test_cancel_stop_and_closing_in_mid_run(pictures):
     assert LIVE.busy and panel() is None
     at_rest()
     assert list(design.Layout.Poses) != kept
-    assert designs.state_of(design)[0] != "running"
+    assert design.Status != "running"
 
     # The document goes away while something is solved in it: FreeCAD lives on.
     solving(design, 0)
@@ -164,10 +163,10 @@ def test_designs_of_selected_surfaces_and_their_targets(tmp_path, monkeypatch, p
     FreeCADGui.Selection.addSelection(mesh)
     press("CurveUps_Target")
     settle(200)
-    assert design.Target.Source == mesh and designs.state_of(design)[0] == "out of date", design.Reasons
+    assert design.Target.Source == mesh and design.Status == "out of date", design.Reasons
     made.undo()
     settle(200)
-    assert design.Target.Source == sphere and designs.state_of(design)[0] != "out of date", design.Reasons
+    assert design.Target.Source == sphere and design.Status != "out of date", design.Reasons
     # A file, by its dialog; one that is none is refused in one line, and nothing is left of it.
     FreeCADGui.Selection.clearSelection()
     count = len(made.Objects)

@@ -72,21 +72,6 @@ def test_the_layout_is_kept_bit_for_bit(dome_document):
     assert kept == json_path.read_text(encoding="utf-8")
 
 
-def test_save_and_reopen(dome_document, tmp_path):
-    copy = str(tmp_path / "copy.FCStd")
-    document, design, tiles = opened(dome_document)
-    layout, volume = design.Layout.Poses, tiles.Shape.Volume
-    document.saveAs(copy)
-    FreeCAD.closeDocument(document.Name)
-    again = FreeCAD.openDocument(copy)
-    assert again.Design.Layout.Poses == layout and len(layout) == 54 * 6
-    assert abs(again.Tiles.Shape.Volume / volume - 1) < 1e-12
-    assert type(again.Design.Proxy).__name__ == "DesignProxy"
-    again.Design.touch()
-    again.recompute()
-    assert abs(again.Tiles.Shape.Volume / volume - 1) < 1e-12
-
-
 def test_geometry_follows_its_properties_without_solving(dome_document):
     document, design, tiles = opened(dome_document)
     before, layout = tiles.Shape.Volume, design.Results

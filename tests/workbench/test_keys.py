@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One authority: after any change a document says of each object what the project says."""
+"""States of a document against the project's, after a change of each parameter."""
 
 import FreeCAD
 import pytest
@@ -15,7 +15,7 @@ TEXTS = {"tiles": "T00002", "faces": "Face1", "opening": "largest", "pieces": "2
 
 
 def another(row, value):
-    """A value of a parameter that is not the one it has."""
+    """Another value of a parameter."""
     if row.choices:
         return next(choice for choice in row.choices if choice != value)
     if row.type == "switch":
@@ -26,17 +26,22 @@ def another(row, value):
     return value + step if value + step <= row.maximum else value - step
 
 
-def said(path):
-    """By parameter: the objects of a solved document that are out of date after a change of it."""
+def by_states(path):
+    """Objects of a solved document that are out of date after a change, by parameter."""
     design = FreeCAD.openDocument(path).Design
     found = {}
     for row in properties.rows():
         before = properties.value_of(design, properties.property_name(row.name))
         write(design, row, another(row, before))
-        found[row.name] = {part for part in PARTS if getattr(design, part).Status == "out of date"}
+        found[row.name] = stale_parts(design)
         write(design, row, before)
-    assert not any(getattr(design, part).Status == "out of date" for part in PARTS)
+    assert not stale_parts(design)
     return found, problem() is None
+
+
+def stale_parts(design):
+    states = design.Proxy.state(design).parts
+    return {part for part in PARTS if states[part][0] == "out of date"}
 
 
 def write(design, row, value):
@@ -46,8 +51,8 @@ def write(design, row, value):
     setattr(design, name, value if plain else f"{value!r} {unit}")
 
 
-def asked(path):
-    """The same by the project."""
+def by_project(path):
+    """Objects that are out of date by the project, by parameter."""
     design = FreeCAD.openDocument(path).Design
     found = {}
     for row in table():
@@ -80,10 +85,10 @@ def by_name(name):
 
 def test_every_parameter(dome_document, elsewhere):
     path = str(dome_document)
-    expected, (found, with_solver) = asked(path), said(path)
+    expected, (stale, with_solver) = by_project(path), by_states(path)
     assert with_solver and len(expected) > 40
     for name, parts in expected.items():
-        assert found[name] == parts, name
+        assert stale[name] == parts, name
     for home, window in (("no native", False), ("workbench", True)):
-        (again, with_solver), _ = elsewhere(said, path, home=home, window=window)
-        assert with_solver == (home == "workbench") and again == found
+        (again, with_solver), _ = elsewhere(by_states, path, home=home, window=window)
+        assert with_solver == (home == "workbench") and again == stale

@@ -24,7 +24,8 @@ def test_a_ball_in_pieces(tmp_path):
     division, first = project.latest("division"), project.latest("design").design
     assert set(division.piece.tolist()) == {0, 1} and len(first.cuts) == len(division.edges) > 10
     assert list(design.Cuts.Edges) == []  # nobody asked for a cut
-    assert document.state_of(design)[0] == "current", document.state_of(design)
+    doc.recompute()
+    assert design.Status == "current", list(design.Reasons)
     name = str(doc.Name)
     doc.saveAs(saved)
     FreeCAD.closeDocument(name)
@@ -33,11 +34,12 @@ def test_a_ball_in_pieces(tmp_path):
     project = document.project_of(design)
     assert project.out_of_date("verification") == (), project.out_of_date("verification")
     design.Pieces = "3"
-    assert document.state_of(design)[0] == "out of date", document.state_of(design)
-    assert "Solve" in document.state_of(design)[1]
+    doc.recompute()
+    assert design.Status == "out of date" and "Solve" in design.Reasons[0], list(design.Reasons)
     assert document.project_of(design).out_of_date("layout") == ("pieces",)
     design.Pieces = "some"
     with pytest.raises(CurveUpsError, match="1 to 24"):
         document.settings_of(design)
     design.Pieces = "auto"
-    assert document.state_of(design)[0] == "current", document.state_of(design)
+    doc.recompute()
+    assert design.Status == "current", list(design.Reasons)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whatever is not what the results were made from is said at once, with the reason, and kept through
-saving: nothing stays valid over old shapes."""
+"""States: a recompute compares everything with the keys of results, and names the reason; saving keeps
+it. Nothing stays valid over old shapes."""
 
 import shutil
 
@@ -29,10 +29,10 @@ def reopened(document, copy):
 
 
 def check_parts(design, *stale):
-    """These alone are out of date, each with a reason."""
-    found = {part for part in PARTS if getattr(design, part).Status == "out of date"}
-    assert found == set(stale), found
-    assert all(getattr(design, part).Reason for part in stale)
+    """Assert that these parts alone are out of date, each with a reason."""
+    states = {part: (getattr(design, part).Status, getattr(design, part).Reason) for part in PARTS}
+    assert {part for part in PARTS if states[part][0] == "out of date"} == set(stale), states
+    assert all(states[part][1] for part in stale)
 
 
 def check_judged(design):
@@ -45,7 +45,6 @@ def check_stale(design, name, command):
     assert (design.Verdict, design.Status) == ("out of date", "out of date"), (design.Verdict, name)
     assert design.Holds == "not settled"
     assert len(design.Reasons) == 1 and name in design.Reasons[0] and command in design.Reasons[0]
-    assert documents.state_of(design) == ("out of date", design.Reasons[0])
 
 
 def refused(function, *arguments):
@@ -81,16 +80,20 @@ SOLIDS = ("Tiles", "Support", "Anchors")
     ("Flip", True, "Solve", ("Target", "Layout", "Verification")),
 ])
 def test_an_edit_of_each_tier(dome_document, tmp_path, name, value, command, parts):
-    """At once, without a recompute; through saving and reopening; and back."""
+    """Commands know it at once; a recompute shows it, and has solids follow; through saving and back."""
     document, design = opened(dome_document)
     check_judged(design)
     before = getattr(design, name)
     setattr(design, name, value)
+    states = design.Proxy.state(design).parts
+    assert {part for part, (state, _) in states.items() if state == "out of date"} == set(parts), states
+    document.recompute()
     check_stale(design, name, command)
-    check_parts(design, *parts)
+    check_parts(design, *set(parts).difference(SOLIDS))
     document, design = reopened(document, tmp_path / "copy.FCStd")
     check_stale(design, name, command)
     setattr(design, name, before)
+    document.recompute()
     check_judged(design)
 
 
@@ -100,21 +103,26 @@ def test_what_concerns_settling_alone_leaves_valid_as_it_is(dome_document, tmp_p
     for name, value in (("HoldTolerance", "0.5 mm"), ("MarginMismatch", 5)):
         before = getattr(design, name)
         setattr(design, name, value)
+        document.recompute()
         assert (design.Verdict, design.Holds) == ("valid", "not settled"), name
         setattr(design, name, before)
+        document.recompute()
         check_judged(design)
     design.HoldTolerance = "0.5 mm"
+    document.recompute()
     document, design = reopened(document, tmp_path / "copy.FCStd")
     assert (design.Verdict, design.Holds) == ("valid", "not settled")
     actions.verify(design)
     assert (design.Verdict, design.Holds) == ("valid", "holds")
     # A margin that is required has a say in the verdict.
     design.Margin = "require"
+    document.recompute()
     assert (design.Verdict, design.Holds) == ("out of date", "not settled")
     design.MarginMismatch, design.MarginFriction = 90, 0.01
     actions.verify(design)
     assert (design.Verdict, design.Holds) == ("not valid", "holds") and "margin" in design.Reasons[0]
     design.Margin = "report"
+    document.recompute()
     assert design.Verdict == "out of date"
 
 
@@ -179,8 +187,10 @@ def test_the_source_is_an_object_of_the_document(document, tmp_path):
         document.recompute()
         assert design.Verdict == "valid", list(design.Reasons)
     document.removeObject("Cap")
+    document.recompute()
     assert design.Verdict == "out of date" and "deleted" in design.Reasons[0], list(design.Reasons)
     document.removeObject(design.Target.Name)
+    document.recompute()
     assert design.Verdict == "out of date" and "target was deleted" in design.Reasons[0]
     documents.set_source(design, "cap")
     assert design.Target.BuiltIn == "cap" and design.Verdict == "out of date"
@@ -284,11 +294,11 @@ def test_cuts(document):
 
 def test_a_sheet_that_sets_a_parameter_reads_figures_with_their_units(dome_document):
     document = FreeCAD.openDocument(str(dome_document))
-    design, found = document.Design, document.Verification
-    assert found.MinNormalForce.getValueAs("N").Value > 0 and found.TileCount == design.TileCount
+    design, figures = document.Design, document.Verification
+    assert figures.MinNormalForce.getValueAs("N").Value > 0 and figures.TileCount == design.TileCount
     for name, unit in (("MinNormalForce", "N"), ("FlatArea", "cm^2"), ("MaxDeviation", "mm"),
                        ("TileVolume", "cm^3")):
-        value = getattr(found, name).getValueAs(unit).Value
+        value = getattr(figures, name).getValueAs(unit).Value
         assert abs(value - getattr(design, name)) <= 1e-9 * abs(value), (name, value)
     sheet = document.addObject("Spreadsheet::Sheet", "Sheet")
     sheet.set("A1", "=Verification.MinNormalForce > 1 mN ? 2.5 mm : 3.5 mm")
@@ -325,6 +335,7 @@ def test_figures_are_read_by_sheets_and_placement_moves_everything(dome_document
     check_stale(design, "HBody", "Verify")
     assert abs(document.Tiles.Shape.BoundBox.ZLength - 4.5) < 1e-6 and document.Tiles.Status == "current"
     design.Placement.Base = FreeCAD.Vector(100, 0, 0)
+    document.recompute()
     assert all(abs(document.getObject(part).Placement.Base.x - 100) < 1e-9
                for part in ("Target", "Tiles", "Support", "Anchors"))
     design.setExpression("HBody", None)
@@ -339,21 +350,22 @@ def test_copies_have_parts_of_their_own(dome_document, tmp_path):
     document, design = opened(dome_document)
     for deep in (True, False):
         document.copyObject(design, deep)
-    first, second, third = documents.designs(document)
-    names = [getattr(one, part).Name for one in (first, second, third) for part in PARTS]
+    designs = documents.designs(document)
+    first, _, third = designs
+    names = [getattr(design, part).Name for design in designs for part in PARTS]
     assert len(set(names)) == 21 and len(document.Objects) == 24, names
     third.HPin = 0.7
     document.recompute()
-    assert [round(one.Tiles.Shape.BoundBox.ZLength, 6) for one in (first, second, third)] == [5, 5, 4.4]
-    assert [one.Verdict for one in (first, second, third)] == ["valid", "valid", "out of date"]
+    assert [round(design.Tiles.Shape.BoundBox.ZLength, 6) for design in designs] == [5, 5, 4.4]
+    assert [design.Verdict for design in designs] == ["valid", "valid", "out of date"]
     assert documents.design_of(third.Tiles) == third and documents.design_of(first.Cuts) == first
     document, design = reopened(document, copy)
-    assert [one.Verdict for one in documents.designs(document)] == ["valid", "valid", "out of date"]
+    assert [design.Verdict for design in documents.designs(document)] == ["valid", "valid", "out of date"]
 
 
 def test_running_is_said_and_ends(dome_document):
     document, design = opened(dome_document)
     documents.set_running(design, True)
-    assert design.Status == "running" and documents.state_of(design)[0] == "running"
+    assert design.Status == "running"
     documents.set_running(design, False)
     check_judged(design)

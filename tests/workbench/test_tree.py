@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a Design and all below it are in the tree: badges, menus, double clicks."""
+"""A Design and the objects below it in the tree: badges, menus, double clicks."""
 
 import FreeCAD
 import FreeCADGui
 import pytest
 import steps
 from curveups.window.overlays import overlay_of
-from curveups.window.viewproviders.part import ShapeView
+from curveups.window.viewproviders import ShapeView
 from robot import QtGui, choose, close_panel, menu_bar, picture, press, settle, until
 from steps import LIVE, panel
 
@@ -28,7 +28,7 @@ def shown(gui):
 
 
 def drawn(gui):
-    """What stands in the tree before each name."""
+    """Icons in the tree, by name."""
     images = {}
     for name in ("Design", *PARTS):
         proxy = gui.getObject(name).Proxy
@@ -49,6 +49,7 @@ def test_all_below_a_design_is_a_full_member_of_the_tree(dome_document, tmp_path
                                  ("L", "9 mm", {"Target", "Layout"})):
         document.openTransaction("Edit")
         setattr(design, name, value)
+        document.recompute()
         document.commitTransaction()
         now = drawn(gui)
         assert changed < {part for part in PARTS if now[part] != current[part]}, name

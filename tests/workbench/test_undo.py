@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """In a window: what transactions hold, solids that follow them and can be ended, deleting and copying."""
 
-from typing import Any
-
 import FreeCAD
 import FreeCADGui
 import pytest
 from curveups.features import document as documents
-from curveups.window.viewproviders import following
+from curveups.project.worker import WORKER
+from curveups.window import run, runs
 from robot import QtCore, QtGui, click_at, keys, picture, settle, tidy, tree_entry, until, window
 
 pytestmark = pytest.mark.freecad(window=True)
@@ -31,16 +30,15 @@ def edit(document, name, value):
 
 def test_solids_follow_transactions(dome_document, monkeypatch):
     document, design = opened(dome_document)
-    follower: Any = following.FOLLOWER
     tiles, size = design.Tiles, document.UndoRedoMemSize
     # Edits in quick succession: solids are built for the last one alone.
-    built, real = [], following.rebuild.take
+    built, real = [], run.take_solids
 
     def take(obj, results):
         built.append((obj.HBody.Value, obj.AnchorRadius.Value))
         real(obj, results)
 
-    monkeypatch.setattr(following.rebuild, "take", take)
+    monkeypatch.setattr(run, "take_solids", take)
     for thickness in (2.9, 2.8, 2.7):
         edit(document, "HBody", f"{thickness} mm")
         assert tiles.Status == "out of date"
@@ -58,22 +56,29 @@ def test_solids_follow_transactions(dome_document, monkeypatch):
     document.openTransaction("Long")
     setattr(design, "HPin", "0.9 mm")
     document.recompute()
-    follower.follow()  # what it does once there is peace
-    assert not follower._worker.busy and tiles.Status == "out of date"
+    run.LIVE._build()  # as after the pause
+    assert not WORKER.busy and tiles.Status == "out of date"
     document.abortTransaction()
     settle(500)
     assert design.HPin.Value == 1 and tiles.Status == "current" and design.Verdict == "valid"
     # A slow one is ended by the next edit, and does not keep the document open.
     edit(document, "AnchorRadius", "99 mm")
-    until(lambda: follower._worker.busy, what="the slow one to begin")
+    until(lambda: WORKER.busy, what="the slow one to begin")
     edit(document, "AnchorRadius", "4 mm")
     until(lambda: tiles.Status == design.Anchors.Status == "current")
     assert design.Verdict == "valid" and design.Anchors.Shape.BoundBox.DiagonalLength < 200
     assert 99 not in [radius for _, radius in built], built
+    # A run ends one too, which follows after it.
+    edit(document, "HBody", "2.6 mm")
+    until(lambda: WORKER.busy, what="the next one to begin")
+    runs.start("verify", design)
+    until(lambda: not run.LIVE.busy and design.Verdict == "valid", 60, "the run to end")
+    until(lambda: tiles.Status == "current")
+    assert built[-1][0] == 2.6, built
     edit(document, "HBody", "2.5 mm")
-    until(lambda: follower._worker.busy, what="the next one to begin")
+    until(lambda: WORKER.busy, what="the last one to begin")
     FreeCAD.closeDocument(document.Name)
-    until(lambda: not follower._worker.busy and follower._design is None)
+    until(lambda: not WORKER.busy)
 
 
 def test_deleting_takes_along_what_is_below(dome_document):
@@ -97,6 +102,7 @@ def test_deleting_takes_along_what_is_below(dome_document):
     target = again.Target.Name
     document.openTransaction("Delete the target")
     document.removeObject(target)
+    document.recompute()
     document.commitTransaction()
     assert again.Verdict == "out of date" and "deleted" in again.Reasons[0], list(again.Reasons)
     document.undo()

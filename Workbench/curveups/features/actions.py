@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What commands do to a design, as functions that work without a window too: what macros record.
+"""Commands on a design as functions, with and without a window: macros record their calls.
 
-A run has two halves, so that a window can put a thread between them: `prepare` says what is to be done, on
-a copy of the design's project, and `finish` takes what it made into the document.
+A run has two halves, so that a window can put a thread between them. `prepare` returns the work, on a copy of
+the design's project; the function of the run stores its value in the document. A window hands that value over
+(`hand_over`) before it calls the function.
 """
 
 from __future__ import annotations
@@ -25,14 +26,15 @@ from ..report.exports import Choice, File, choices, report as write_report, writ
 from ..stages import RISEN, asked_by
 from ..stages.layout import Layout
 from ..stages.stage import Job
-from . import live, properties, rebuild, status
+from . import live, properties, status
+from .design import SOLIDS, take_solids
 from .document import Stored, take, to_store
 from .status import Keys, read_keys, write_keys
 
 
 @dataclass(frozen=True)
 class Ran:
-    """What a run made, and what a document that still holds `before` stores of it."""
+    """Results of a run, and their text for a document that still holds `before`."""
 
     results: Results
     before: Project
@@ -44,7 +46,7 @@ Work = Callable[[Job], Ran]
 
 @dataclass(frozen=True)
 class Run:
-    """`project`: the project to run, of a Design object. `anew`: what was stopped before is not enough."""
+    """`project`: of a Design, to run. `anew`: results that were stopped are made again."""
 
     title: str
     goals: tuple[str, ...]
@@ -54,12 +56,12 @@ class Run:
 
     @property
     def of_target(self) -> bool:
-        """Whether it starts from the target; otherwise there has to be a layout."""
+        """True for a run that starts from the target; others need a layout."""
         return self.project is live.project_of
 
 
 def _repaired(design: Any) -> Project:
-    """Starts from the layout as it stands, which may have been repaired or stopped before."""
+    """Project of a repair of the layout as it stands, which may have been repaired or stopped before."""
     standing, stored = live.design_project_of(design), live.stored(design)
     finished = standing.latest("design")
     layout = stored.latest("layout") or Layout(finished.design, True, False, 0, 0, 0, 0.0, {}, 0.0)
@@ -78,15 +80,14 @@ RUNS = {
     "verify": Run("Verify", asked_by("verify"), live.design_project_of),
     "repair": Run("Repair", ("design", *asked_by("verify")), _repaired),
     "actuate": Run("Actuate", asked_by("actuate"), live.design_project_of, anew=True),
-    "build_solids": Run("Build Solids", rebuild.GOALS, live.design_project_of, strict=True),
+    "build_solids": Run("Build Solids", SOLIDS, live.design_project_of, strict=True),
 }
-_made: dict[tuple[str, str, str], Any] = {}  # by a thread, for the function that is called next
+_handed_over: dict[tuple[str, str, str], Any] = {}  # values of a thread's work, by function and design
 
 
 def prepare(which: str, design: Any) -> tuple[Project, Work]:
-    """The work of a run, for any thread: it touches no document; and the project that it is done on, whose
-    target is there as soon as it is made. Raises CurveUpsError where there is nothing to start from or a
-    property can't be used."""
+    """Project of a run, and the work on it, for any thread: it touches no document. Raises CurveUpsError
+    where there is nothing to start from or a property can't be used."""
     run, before = RUNS[which], live.stored(design)
     project = run.project(design).copy()
     if run.anew:
@@ -95,59 +96,57 @@ def prepare(which: str, design: Any) -> tuple[Project, Work]:
     def work(job: Job) -> Ran:
         if run.anew and run.of_target:
             project.run(("pin smoothing",), job)
-            project.forget_out_of_date()  # a picture shows what is there
+            project.forget_out_of_date()  # pictures would show it
         results = project.run(run.goals, job, strict=run.strict)
         return Ran(results, before, None if which == "build_solids" else to_store(before, results))
 
     return project, work
 
 
-def hand_over(which: str, design: Any, made: Any) -> None:
-    """What a thread has made, for the function of its name, which then does not work again."""
-    _made[which, design.Document.Name, design.Name] = made
+def hand_over(which: str, design: Any, value: Any) -> None:
+    """Store the value of a thread's work for the function of its name, which then does not work again."""
+    _handed_over[which, design.Document.Name, design.Name] = value
 
 
-def _made_by(which: str, design: Any, work: Callable[[], Callable[[Job], Any]]) -> Any:
-    """What a thread has handed over, or what the work makes now."""
-    made = _made.pop((which, design.Document.Name, design.Name), None)
-    return work()(Job()) if made is None else made
+def _value_of(which: str, design: Any, work: Callable[[], Callable[[Job], Any]]) -> Any:
+    """Value of a thread's work, or of the work done now."""
+    value = _handed_over.pop((which, design.Document.Name, design.Name), None)
+    return work()(Job()) if value is None else value
 
 
 def divide(design: Any) -> Results:
-    """The target, divided into tiles: what cuts run along."""
+    """Divide the target into tiles: cuts run along their edges."""
     return _run("divide", design)
 
 
 def check(design: Any) -> Results:
-    """Margins of the target's tiles, and what is in their way: "feasibility" of the results."""
+    """Compute margins and obstacles of the target's tiles: "feasibility" of the results."""
     return _run("check", design)
 
 
 def find_sizes(design: Any) -> Results:
-    """The same, and limits of sizes: "sizes" of the results."""
+    """Check, and compute limits of sizes: "sizes" of the results."""
     return _run("find_sizes", design)
 
 
 def choose_sizes(design: Any, names: Collection[str] = AUTOMATIC) -> SizeChoice:
-    """Sets the length L of the tiles, their thickness H_body or both to what `auto` is on the command line
-    (size_choice.choose). Raises CurveUpsError where there are none, or where an expression says what they
-    are."""
-    found: SizeChoice = _made_by("choose_sizes", design, lambda: sizes_work(design, names))
-    with transaction(design.Document, "Choose Sizes"):
-        for name, value in found.values.items():
-            properties.write_parameter(design, name, value)
-    return found
+    """Set the length L of the tiles, their thickness H_body or both to the values of `auto` on the command
+    line (size_choice.choose). Raises CurveUpsError where there are none, or where they follow an
+    expression."""
+    choice: SizeChoice = _value_of("choose_sizes", design, lambda: sizes_work(design, names))
+    _set(design, "Choose Sizes", choice.values)
+    return choice
 
 
 def sizes_work(design: Any, names: Collection[str]) -> Callable[[Job], SizeChoice]:
-    """The same for any thread; nothing is set."""
+    """Work of choose_sizes, for any thread; it sets nothing."""
     refuse_bound(design, names)
     project = live.project_of(design).copy()
     return lambda job: choose(project, names, job)
 
 
 def refuse_bound(design: Any, names: Collection[str]) -> None:
-    """Raises CurveUpsError where an expression says what one of these parameters is: it would win."""
+    """Raise CurveUpsError where one of these parameters follows an expression, which would win."""
     bound = {path.lstrip(".") for path, _ in design.ExpressionEngine}
     for name in map(properties.property_name, names):
         if name in bound:
@@ -155,81 +154,85 @@ def refuse_bound(design: Any, names: Collection[str]) -> None:
 
 
 def apply_profile(design: Any, name: str) -> None:
-    """Sets the parameters that suit a kind of printer (profiles.py), and leaves the others alone; "" sets
-    those that any profile names to their defaults."""
-    paths = [profiles.profile_path(one) for one in profiles.profile_names()]
+    """Set the parameters of a kind of printer (profiles.py), and leave the others alone; "" sets those that
+    any profile names to their defaults."""
+    paths = list(map(profiles.profile_path, profiles.profile_names()))
     values = profiles.parameters(profiles.profile_path(name)) if name else profiles.defaults(paths)
-    _apply(design, "Apply Profile", values)
+    refuse_bound(design, values)
+    _set(design, "Apply Profile", values)
 
 
 def apply_material(design: Any, kind: str, name: str) -> None:
-    """Sets the parameters of a material, of one of profiles.MATERIALS."""
-    _apply(design, "Apply Material", profiles.of_material(kind, name, design.Label))
-
-
-def _apply(design: Any, step: str, values: Mapping[str, Any]) -> None:
+    """Set the parameters of a material, of one of profiles.MATERIALS."""
+    values = profiles.of_material(kind, name, design.Label)
     refuse_bound(design, values)
+    _set(design, "Apply Material", values)
+
+
+def _set(design: Any, step: str, values: Mapping[str, Any]) -> None:
+    """Set parameters in one step of undo. Solids follow outside of it."""
     with transaction(design.Document, step):
         for parameter, value in values.items():
             properties.write_parameter(design, parameter, value)
+    design.Document.recompute()
 
 
 def solve(design: Any) -> Results:
-    """From the target to a verified and, where it is weak, repaired layout."""
+    """Lay out the target, verify the layout and repair weak contacts."""
     return _run("solve", design)
 
 
 def verify(design: Any) -> Results:
-    """The verdict on the layout as it stands, under the geometry and physics as they are set."""
+    """Judge the layout as it stands, under the present geometry and physics."""
     return _run("verify", design)
 
 
 def repair(design: Any) -> Results:
-    """Moves tiles and pins of the layout as it stands until weak contacts hold."""
+    """Move tiles and pins of the layout as it stands until weak contacts hold."""
     return _run("repair", design)
 
 
 def actuate(design: Any) -> Results:
-    """The path of the layout as it stands from flat to shape: "actuation" of the results."""
+    """Compute the path of the layout from flat to shape: "actuation" of the results."""
     return _run("actuate", design)
 
 
 def write_frame(design: Any, path: str, number: int = -1) -> None:
-    """The tiles where a frame of the path from flat has them, by default the last, as a STEP file."""
-    _made_by("write_frame", design, lambda: frame_work(design, path, number))
+    """Write the tiles at a frame of the path from flat, by default the last, as a STEP file."""
+    _value_of("write_frame", design, lambda: frame_work(design, path, number))
 
 
 def frame_work(design: Any, path: str, number: int) -> Callable[[Job], bool]:
-    """The same for any thread."""
-    found = live.stored(design).latest(RISEN)
-    if found is None:
+    """Work of write_frame, for any thread."""
+    motion = live.stored(design).latest(RISEN)
+    if motion is None:
         raise CurveUpsError("there is no path yet", design.Label, "run Actuate")
-    count = len(found.time)
+    count = len(motion.time)
     if not -count <= number < count:
         raise CurveUpsError(f"there is no frame {number}", design.Label, f"give one of 0 to {count - 1}")
-    where = Path(path)
+    file = Path(path)
 
     def work(job: Job) -> bool:
-        bodies = Project.of_design(found.design, path).run(("bodies",), job, strict=True)["bodies"]
+        bodies = Project.of_design(motion.design, path).run(("bodies",), job, strict=True)["bodies"]
         if bodies.model is None:
             raise Stopped
         with translated(path):
-            actuation.write_frame(bodies.model, found.frame(number), Folder(where.parent), where.name, job)
+            actuation.write_frame(bodies.model, motion.frame(number), Folder(file.parent), file.name, job)
         return True
 
     return work
 
 
 def build_solids(design: Any) -> Results:
-    """Tiles, support and anchors as solids; no step of undo: that would copy them all."""
+    """Build the solids of tiles, support and anchors. This is no step of undo, which would copy them all."""
     return _run("build_solids", design)
 
 
 def _run(which: str, design: Any) -> Results:
-    ran: Ran = _made_by(which, design, lambda: prepare(which, design)[1])
+    ran: Ran = _value_of(which, design, lambda: prepare(which, design)[1])
     results = ran.results
     if which == "build_solids":
-        rebuild.take(design, results)
+        take_solids(design, results)
     else:
         with transaction(design.Document, RUNS[which].title):
             first = "design" not in read_keys(design).records
@@ -241,37 +244,37 @@ def _run(which: str, design: Any) -> Results:
 
 def export(design: Any, folder: str, files: Sequence[File] = (), mask: str = Choice.mask,
            deviation: Optional[float] = None, reports: bool = True, insist: bool = False) -> list[str]:
-    """Writes files of a design: pairs of body and ending ("print", "step"), all where none are given;
-    their names. Raises CurveUpsError for a design that is not as it should be printed, unless one
-    insists on it: the files say so then."""
-    return _made_by("export", design, lambda: export_work(design, folder, Choice(
+    """Write files of a design: pairs of body and ending ("print", "step"), all where none are given. Return
+    their names. Raises CurveUpsError for a design that should not be printed as it is; `insist` writes files
+    that say so."""
+    return _value_of("export", design, lambda: export_work(design, folder, Choice(
         tuple(files) or tuple(choices()), mask, deviation, reports, doubts(design), insist)))
 
 
 def export_work(design: Any, folder: str, choice: Choice) -> Callable[[Job], list[str]]:
-    """The same for any thread."""
+    """Work of export, for any thread."""
     project = live.design_project_of(design).copy()
     project.name = file_name(design)
     return lambda job: list(write_export(project, Path(folder), choice, job).files)
 
 
 def report(design: Any, folder: str) -> str:
-    """Writes report.html and report.json into a folder; the page's path."""
-    return _made_by("report", design, lambda: report_work(design, folder))
+    """Write report.html and report.json into a folder. Return the page's path."""
+    return _value_of("report", design, lambda: report_work(design, folder))
 
 
 def report_work(design: Any, folder: str) -> Callable[[Job], str]:
-    """The same for any thread."""
-    project, found = live.project_of(design).copy(), doubts(design)
+    """Work of report, for any thread."""
+    project, doubted = live.project_of(design).copy(), doubts(design)
     if project.out_of_date("design") != ():
         project = live.design_project_of(design).copy()
     project.name = file_name(design)
-    return lambda job: str(write_report(project, Path(folder), found, job))
+    return lambda job: str(write_report(project, Path(folder), doubted, job))
 
 
 @dataclass(frozen=True)
 class WrittenKit:
-    """page: of its assembly. keys: what it was made from; none where it was there already."""
+    """page: of its assembly. keys: of what it was made from; none where it existed already."""
 
     page: str
     keys: Optional[Keys] = None
@@ -279,18 +282,18 @@ class WrittenKit:
 
 def kit(design: Any, folder: str, quantity: int = 1, mask: str = kit_files.Order.mask, language: str = "en"
         ) -> str:
-    """Writes the fabrication kit into a folder, unless it holds that of the design as it is; the page of its
-    assembly."""
-    written: WrittenKit = _made_by("kit", design, lambda: kit_work(
+    """Write the fabrication kit into a folder, unless it holds that of the present design. Return the path of
+    the assembly's page."""
+    written: WrittenKit = _value_of("kit", design, lambda: kit_work(
         design, folder, kit_files.Order(quantity, mask, language)))
     if written.keys is not None:
         write_keys(design, written.keys, "KitKeys")
-        design.Proxy.refresh(design)
+        status.refresh(design)
     return written.page
 
 
 def kit_work(design: Any, folder: str, order: kit_files.Order) -> Callable[[Job], WrittenKit]:
-    """The same for any thread."""
+    """Work of kit, for any thread."""
     project = live.design_project_of(design).copy()
     project.name = file_name(design)
     current = status.status_of(design).kit[0] == status.CURRENT
@@ -311,23 +314,23 @@ def kit_work(design: Any, folder: str, order: kit_files.Order) -> Callable[[Job]
 
 
 def doubts(design: Any) -> tuple[Finding, ...]:
-    """Why the design should not be printed as it is; none for one that nobody has judged."""
-    found = design.Proxy.state(design)
-    if found.state not in (status.OUT_OF_DATE, status.INVALID):
+    """Finding why the design should not be printed as it is; none for one that nobody has judged."""
+    now = status.status_of(design)
+    if now.state not in (status.OUT_OF_DATE, status.INVALID):
         return ()
-    return (Finding.about("doubt", (tile for reason in found.reasons for tile in reason.tiles),
-                          state=found.state, reasons=found.reasons),)
+    return (Finding.about("doubt", (tile for reason in now.reasons for tile in reason.tiles),
+                          state=now.state, reasons=now.reasons),)
 
 
 def file_name(design: Any) -> str:
-    """What files of a design are called."""
+    """Name of a design's files."""
     return safe_name(design.Label)
 
 
 @contextmanager
 def transaction(document: Any, text: str) -> Iterator[None]:
-    """One step of undo; taken back where the work inside raises. The document is the active one meanwhile:
-    FreeCAD would give an active one of its own a step that is called "-> text"."""
+    """Make the work inside one step of undo, which is taken back where it raises. The document is the active
+    one meanwhile: FreeCAD would give another active one a step called "-> text"."""
     import FreeCAD
 
     active = FreeCAD.ActiveDocument

@@ -1,23 +1,30 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The Design object: parameters, the results made from them, and whether these still belong together.
+"""The Design object: parameters, the results made from them, its states, and its solids.
 
-Results are kept as text, so that reopening a document needs no solving and changes no bit.
+Results are kept as text, so that reopening a document needs no solving and changes no bit. `execute` sets the
+states, and builds solids of values that have none: at once, or on the worker of a window.
 """
 
 from __future__ import annotations
 
-from contextlib import contextmanager
-from typing import Any, Iterator, Optional
+from typing import Any, Optional
+
+import numpy as np
 
 from .. import __version__
 from ..base.errors import CurveUpsError
-from ..base.findings import Finding, Style, refused
+from ..base.findings import Finding, refused
 from ..base.native import native, problem
-from ..project.project import Project
-from . import properties, rebuild, status, target
-from .parts import add_figures
-from .proxy import HIDDEN, OUTPUT, READ_ONLY, SLOTS, Proxy, add, show, type_of, write
+from ..project.keys import Record, key_of
+from ..project.project import Project, Results
+from ..stages import asked_by
+from ..stages.solids import BODIES
+from . import live, properties, proxy, status, target
+from .parts import add_figures, write_body, write_volumes
+from .proxy import HIDDEN, OUTPUT, READ_ONLY, SLOTS, Proxy, add, show, type_of
+from .status import KINDS, Keys, read_keys, write_keys
 
+SOLIDS = asked_by("build")  # stages
 
 # Tooltips of properties by their names.
 _RESULTS = {"Verdict": "valid, not valid, not judged, or out of date.",
@@ -35,13 +42,11 @@ class DesignProxy(Proxy):
     """Behaviour of a Design object."""
 
     TYPE = "CurveUps::Design"
-    # The live projects (live.py), and whether a command works on this design. A class's own defaults:
-    # FreeCAD makes proxies of a document without calling __init__.
+    # Live projects (live.py), and whether a command works on this design. They are attributes of the class,
+    # since FreeCAD restores proxies without calling __init__.
     project: Optional[Project] = None
     standing: Optional[Project] = None
     running = False
-    _refreshing = False
-    _told: tuple[str, ...] = ()  # reasons that the report view has already
 
     def add_properties(self, obj: Any) -> None:
         for slot in SLOTS:
@@ -60,80 +65,27 @@ class DesignProxy(Proxy):
             properties.add_parameters(obj, native.Parameters())
 
     def execute(self, obj: Any) -> None:
-        """Without a window, makes the solids for the values as they are; with one they follow after the
-        edit (window/viewproviders/following.py), so that undo holds no solids and nobody waits."""
-        import FreeCAD
-
+        """Set the states, and have solids built for the values as they are: in a window after the edit, so
+        that undo holds no solids and nobody waits."""
         if target.is_target(obj.Target):
-            target.notice(obj.Target)
-        if not FreeCAD.GuiUp:
-            rebuild.follow(obj)
-        self.refresh(obj)
-        wrong = tuple(obj.Reasons) if obj.Status == status.INVALID else ()
-        for reason in wrong if wrong != self._told else ():
-            FreeCAD.Console.PrintError(f"{obj.Label}: {reason}\n")
-        self._told = wrong
+            target.write_stamp(obj.Target)
+        _place(obj)
+        to_build = status.refresh(obj).to_build
+        if proxy.build_later is not None:
+            proxy.build_later(obj, to_build)
+        elif to_build:
+            build(obj)
 
     def onChanged(self, obj: Any, name: str) -> None:
-        if self._refreshing or not self.ready:
-            return
+        """Drop live projects of other results; give Density the weight of the printer's material."""
         if name == "Results":
             self.project = self.standing = None
-        if name == "Placement":
-            for slot in SLOTS:
-                part = getattr(obj, slot)
-                if part is not None and "Placement" in part.PropertiesList:
-                    part.Placement = obj.Placement
-                    part.purgeTouched()
-        elif name in _WATCHED or properties.parameter_of(name):
-            if name == "Printer" and not obj.Document.Transacting:  # undo brings Density back itself
-                properties.follow_printer(obj)
-            self.refresh(obj)
-
-    def refresh(self, obj: Any) -> None:
-        """Verdict, reasons and states, from what the document holds now."""
-        if self._refreshing:
-            return
-        self._refreshing = True
-        try:
-            found = self.state(obj)
-            write(obj, "Verdict", found.verdict)
-            write(obj, "Holds", found.holds)
-            write(obj, "Reasons", [reason.sentence(_NAMED) for reason in found.reasons])
-            write(obj, "Status", found.state)
-            for name, parts in (("Kit", found.kit), ("Actuation", found.actuation)):
-                if name in obj.PropertiesList:
-                    write(obj, name, ": ".join(filter(None, parts)))
-            for slot, (state, reason) in found.parts.items():
-                part = getattr(obj, slot)
-                if part is not None and {"Status", "Reason"} <= set(part.PropertiesList):
-                    write(part, "Status", state)
-                    write(part, "Reason", reason)
-        finally:
-            self._refreshing = False
+        elif name == "Printer" and self.ready and not obj.Document.Transacting:  # undo has Density
+            properties.follow_printer(obj)
 
     def state(self, obj: Any) -> status.Status:
-        """What is current, and why something is not, from what the document holds now."""
-        return status.status_of(obj, self.refused(obj), self.running)
-
-    @contextmanager
-    def many_changes(self) -> Iterator[None]:
-        """States are not brought up to date meanwhile: who makes the changes does so once, at their end."""
-        before, self._refreshing = self._refreshing, True
-        try:
-            yield
-        finally:
-            self._refreshing = before
-
-    def refused(self, obj: Any) -> Optional[Finding]:
-        """Why the properties' values can't be used; None where they can, or nobody can tell."""
-        if problem() is not None:
-            return None
-        try:
-            properties.read_parameters(obj, native.Parameters())
-        except CurveUpsError as error:
-            return refused(error)
-        return None
+        """States as the properties are now, edits that wait for a recompute included."""
+        return status.status_of(obj)
 
     def onDocumentRestored(self, obj: Any) -> None:
         super().onDocumentRestored(obj)
@@ -141,18 +93,77 @@ class DesignProxy(Proxy):
             _own_parts(obj)
         if obj.Target is not None:
             show(obj.Target)  # it has no proxy that would
-        self.refresh(obj)
+        status.refresh(obj)
 
 
-_NAMED = Style(properties.named)
+def _place(obj: Any) -> None:
+    """Move the parts of a Design to where it stands. Shapes keep rotations up to rounding."""
+    for slot in SLOTS:
+        part = getattr(obj, slot)
+        if part is not None and "Placement" in part.PropertiesList and not np.allclose(
+                _numbers(part.Placement), _numbers(obj.Placement), rtol=1e-12, atol=1e-12):
+            part.Placement = obj.Placement
+            part.purgeTouched()
 
-# A change of these is a change of state.
-_WATCHED = (*SLOTS, "Results", "Keys", "RebuiltKeys", "KitKeys")
+
+def _numbers(placement: Any) -> list[float]:
+    """Base and quaternion. Methods of Rotation that compare would touch the object."""
+    return [*placement.Base, *placement.Rotation.Q]
 
 
 def _own_parts(obj: Any) -> None:
-    """Copies the parts that another Design has as well: a Design that was copied without them."""
+    """Copy the parts that another Design has as well: those of a Design that was copied without them."""
     for slot in SLOTS:
         part = getattr(obj, slot)
         if part is not None and any(other != obj and type_of(other) == type_of(obj) for other in part.InList):
             setattr(obj, slot, obj.Document.copyObject(part, False))
+
+
+def lacks_solids(obj: Any) -> bool:
+    """True where a state that was set last says so."""
+    return any(body is not None and body.Status != status.CURRENT for body in (
+        getattr(obj, slot) for slot in KINDS))
+
+
+def build(obj: Any) -> None:
+    """Build the solids now. A failure becomes the state of the design."""
+    if problem() is not None:
+        return
+    try:
+        take_solids(obj, live.design_project_of(obj).run(SOLIDS, strict=True))
+    except CurveUpsError as error:
+        fail_solids(obj, refused(error), bodies_record(obj))
+
+
+def take_solids(obj: Any, results: Results) -> None:
+    """Store the solids of a run's results, and the reasons of the constraints. Not to be called inside of a
+    transaction, which would copy all solids."""
+    import FreeCAD
+
+    model = results["solids"].model
+    if model is None:  # the run was stopped, or it is known that none can be built
+        for reason in (*results["bodies"].reasons(), *results["solids"].reasons()):
+            fail_solids(obj, reason, results.made[BODIES.name].record)
+        return
+    keys = Keys({name: results.made[name].record for name in SOLIDS},
+                reasons=tuple(results["figures"].reasons()))
+    for slot, kind in KINDS.items():
+        body = getattr(obj, slot)
+        if body is not None:
+            write_body(body, model.shape(kind), keys, obj.Placement)
+    write_volumes(obj, model.volumes)
+    write_keys(obj, keys, "RebuiltKeys")
+    status.refresh(obj)
+    for warning in results["bodies"].warnings():
+        FreeCAD.Console.PrintWarning(f"{obj.Label}: {warning}\n")
+
+
+def bodies_record(obj: Any) -> Record:
+    """Record of bodies that would be made of the present values."""
+    return Record(key_of(BODIES, read_keys(obj).records, properties.values_of(obj)))
+
+
+def fail_solids(obj: Any, reason: Finding, record: Record) -> None:
+    """Store that no solids can be made of the values in `record`. The old ones stay."""
+    write_keys(obj, Keys({BODIES.name: record}, failed=True, reasons=(reason,)), "RebuiltKeys")
+    status.refresh(obj)

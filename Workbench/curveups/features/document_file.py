@@ -19,7 +19,7 @@ from ..base.errors import CurveUpsError
 from ..base.native import native
 from ..project.project import Results
 from . import document as documents
-from .parts import KINDS
+from .status import KINDS
 
 Box = tuple[Sequence[float], Sequence[float]]  # least and largest corner, mm
 
@@ -30,12 +30,12 @@ TWO_SIDE = 1
 COMPRESSION = 3  # of zlib: half the time of its default, and shapes are a twentieth larger
 
 # Class of the view of an object with a shape, as FreeCAD stores it. FreeCAD shows objects without one.
-SHAPE_VIEW = 'module="curveups.window.viewproviders.part" class="ShapeView"'
+SHAPE_VIEW = 'module="curveups.window.viewproviders" class="ShapeView"'
 
 
 @dataclass
 class View:
-    """How one object is shown. `colour`: sRGB, 0 to 255; None for an object without a shape."""
+    """View of an object. `colour`: sRGB, 0 to 255; None for an object without a shape."""
 
     name: str
     shown: bool
@@ -44,8 +44,8 @@ class View:
 
 
 def finish_document(path: Path, views: Sequence[View], box: Box) -> None:
-    """Adds the views and a camera that sees `box` from the front to a document without them. Raises
-    OSError, also where FreeCAD has not saved all of it: it does not say so itself."""
+    """Add the views and a camera that sees `box` to a document without them. Raises OSError, also where
+    FreeCAD has not saved the whole document, which raises nothing itself."""
     finished = path.with_name(path.name + ".finished")
     try:
         with zipfile.ZipFile(path) as old, zipfile.ZipFile(finished, "w") as new:
@@ -103,36 +103,28 @@ def _provider(view: View) -> str:
 
 
 def _camera(box: Box) -> str:
-    """Looks at the box obliquely from above (a print lies flat), wide enough for it."""
-    middle = [(a + b) / 2 for a, b in zip(*box)]
+    """Camera that looks at the box obliquely from above (a print lies flat), wide enough for it."""
+    from FreeCAD import Rotation, Vector
+
     size = math.dist(*box) or 1.0
-    turn, tilt = math.radians(20), math.radians(38)  # about z, then from the view from the top
-    towards = (math.sin(turn) * math.sin(tilt), -math.cos(turn) * math.sin(tilt), math.cos(tilt))
-    eye = [m + s * size for m, s in zip(middle, towards)]
-    # The rotation as axis and angle, by way of its quaternion.
-    w = math.cos(turn / 2) * math.cos(tilt / 2)
-    axis = (math.cos(turn / 2) * math.sin(tilt / 2), math.sin(turn / 2) * math.sin(tilt / 2),
-            math.sin(turn / 2) * math.cos(tilt / 2))
-    length = math.hypot(*axis)
-    x, y, z = (component / length for component in axis)
+    rotation = Rotation(Vector(0, 0, 1), 20) * Rotation(Vector(1, 0, 0), 38)  # turn about z, then tilt
+    eye = (Vector(*box[0]) + Vector(*box[1])) / 2 + rotation.multVec(Vector(0, 0, size))
     return ("OrthographicCamera {\n"
             "  viewportMapping ADJUST_CAMERA\n"
-            f"  position {eye[0]:.6g} {eye[1]:.6g} {eye[2]:.6g}\n"
-            f"  orientation {x:.8g} {y:.8g} {z:.8g} {2 * math.acos(w):.8g}\n"
+            f"  position {eye.x:.6g} {eye.y:.6g} {eye.z:.6g}\n"
+            f"  orientation {' '.join(f'{x:.8g}' for x in rotation.Axis)} {rotation.Angle:.8g}\n"
             f"  nearDistance 0\n  farDistance {2 * size:.6g}\n"
             f"  aspectRatio 1\n  focalDistance {size:.6g}\n  height {0.85 * size:.6g}\n}}\n")
 
 
-# Showing the solids of more tiles takes OpenCASCADE's meshing several seconds: the target is shown
-# instead of them until they are asked for.
+# Drawing the solids of more tiles takes OpenCASCADE's meshing several seconds: the target is shown instead.
 MOST_SHOWN = 800
 
 
 def write_document(results: Results, path: Path) -> dict[str, str]:
-    """The parametric document of a run's results, saved to `path`; returns versions of software.
+    """Save the parametric document of a run's results to `path`. Return versions of software.
 
-    Shapes are kept in the file (2500 tiles: 2 s, 17 MB), so that a FreeCAD without this workbench
-    shows them too.
+    The file has shapes (2500 tiles: 2 s, 17 MB), so that a FreeCAD without this workbench shows them too.
     """
     freecad, part, _ = freecad_session.load("Part", "Mesh")
 
@@ -164,7 +156,7 @@ def write_document(results: Results, path: Path) -> dict[str, str]:
 
 @contextmanager
 def _binary_shapes(freecad: Any) -> Iterator[None]:
-    """Shapes saved in binary: all bits of them, in a third less time and space than as text."""
+    """Save shapes in binary: all their bits, in a third less time and space than as text."""
     preferences = freecad.ParamGet("User parameter:BaseApp/Preferences/Document")
     before = preferences.GetBool("SaveBinaryBrep", False)
     preferences.SetBool("SaveBinaryBrep", True)
@@ -175,6 +167,6 @@ def _binary_shapes(freecad: Any) -> Iterator[None]:
 
 
 def _print_box(model: Any) -> Box:
-    """The print stands on z = 0, centred on the origin."""
+    """Box of the print, which stands on z = 0, centred on the origin."""
     x, y, z = model.bbox
     return (-x / 2, -y / 2, 0.0), (x / 2, y / 2, z)

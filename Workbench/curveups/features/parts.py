@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Objects below a Design: the cuts that the user asked for, the layout and the forces as lists, which a
-reopened document draws without the native module, and the solids."""
+"""Objects below a Design: cuts, layout and forces as lists, which a reopened document draws without the
+native module, and solids."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ..base.errors import CurveUpsError
 from ..project.project import Results
 from ..stages.cut_request import CutRequest
 from . import properties
-from .proxy import HIDDEN, OUTPUT, READ_ONLY, PartProxy, add, refresh, write
+from .proxy import HIDDEN, OUTPUT, READ_ONLY, PartProxy, add, write
 from .status import Keys, write_keys
 
 # Property, its type, unit, meaning, place in report.json.
@@ -46,7 +46,7 @@ _VOLUMES = {"tiles": "TileVolume", "support": "SupportVolume", "anchors": "Ancho
 
 
 def add_figures(obj: Any, with_units: bool) -> None:
-    """The properties that a Design or, with units, a Verification lacks. A sheet that sets a parameter reads
+    """Add figures that a Design or, with units, a Verification lacks. A sheet that sets a parameter reads
     those of the Verification, which depends on nothing; those of the Design are hidden, for scripts."""
     status = READ_ONLY | OUTPUT | (0 if with_units else HIDDEN)
     for name, kind, unit, meaning, _ in FIGURES:
@@ -72,7 +72,7 @@ def write_figures(obj: Any, results: Results, solved: bool) -> None:
 
 
 def write_volumes(obj: Any, volumes: Mapping[str, float]) -> None:
-    """volumes: mm3 by kind of body."""
+    """Write the volumes of bodies, mm3 by kind."""
     for kind, name in _VOLUMES.items():
         _write_figure(obj, name, volumes[kind] / 1000)
 
@@ -86,8 +86,8 @@ def _write_figure(obj: Any, name: str, value: Any) -> None:
 
 
 class CutsProxy(PartProxy):
-    """Behaviour of Cuts. Edges are pairs of the Target's vertices; points keep where they are on the
-    surface, for a target that is divided anew."""
+    """Behaviour of Cuts. Edges are pairs of the Target's vertices; points keep their coordinates, for a
+    target that is divided anew."""
 
     TYPE = "CurveUps::Cuts"
 
@@ -99,13 +99,9 @@ class CutsProxy(PartProxy):
         add(obj, "VectorList", "Points", "Cuts", "Where the edges are, mm: polylines one after another.")
         add(obj, "IntegerList", "PointCounts", "Cuts", "How many points each polyline has.")
 
-    def onChanged(self, obj: Any, name: str) -> None:
-        if self.ready and name == "Edges":
-            refresh(obj)
-
 
 def write_cuts(obj: Any, edges: np.ndarray, V: np.ndarray) -> None:
-    """edges: C x 2 vertices of V (N x 3, mm)."""
+    """Write edges (C x 2 vertices of V; N x 3, mm)."""
     import FreeCAD
 
     edges = np.asarray(edges, int).reshape(-1, 2)
@@ -115,7 +111,7 @@ def write_cuts(obj: Any, edges: np.ndarray, V: np.ndarray) -> None:
 
 
 def edges_of(obj: Any) -> np.ndarray:
-    """C x 2. Raises CurveUpsError where the list is none of pairs."""
+    """Edges of Cuts, C x 2. Raises CurveUpsError where the list has an odd length."""
     if len(obj.Edges) % 2:
         raise CurveUpsError("the list of cuts has an odd number of vertices", obj.Label,
                             "remove one from its Edges")
@@ -199,15 +195,13 @@ class VerificationProxy(PartProxy):
             "Pairs of tiles whose contact is below the least force, counted from 0.", READ_ONLY | OUTPUT)
 
 
-def write_verification(obj: Any, found: Optional[Any]) -> None:
-    """`found`: the stage's result; nothing where there is none."""
-    arrays = found.arrays if found is not None else {}
+def write_verification(obj: Any, verification: Optional[Any]) -> None:
+    """Write the forces of the stage's result; none without one."""
+    arrays = verification.arrays if verification is not None else {}
     for name, array, _, _ in _LISTS:
         setattr(obj, name, np.ravel(arrays.get(array, ())).tolist())
-    obj.WeakContacts = [v for pair in (found.weak_contacts if found is not None else ()) for v in pair]
-
-
-KINDS = {"Tiles": "tiles", "Support": "support", "Anchors": "anchors"}  # by slot
+    weak = verification.weak_contacts if verification is not None else ()
+    obj.WeakContacts = [tile for pair in weak for tile in pair]
 
 
 class BodiesProxy(PartProxy):
@@ -222,8 +216,8 @@ class BodiesProxy(PartProxy):
 
 
 def write_body(obj: Any, shape: Any, keys: Keys, placement: Any) -> None:
-    """keys: of what it was built from."""
-    # In the shape: an object that is moved goes through all its solids once more.
+    """Store a shape, and the keys of what it was built from."""
+    # The shape is placed, not the object, which would go through all its solids once more.
     if not placement.isIdentity():
         shape.Placement = placement
     obj.Shape = shape

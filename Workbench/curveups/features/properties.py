@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parameters as properties of a Design: names, types, units, groups, tooltips from one table."""
+"""Parameters as properties of a Design: names, types, units, groups and tooltips from one table."""
 
 from __future__ import annotations
 
@@ -30,29 +30,28 @@ WHEN = {"rebuild": "Takes effect at once.", "verify": "Takes effect with Verify.
 
 
 def property_name(parameter: str) -> str:
-    """H_body is HBody, d_gap_min is DGapMin."""
+    """Name of a parameter's property: HBody for H_body, DGapMin for d_gap_min."""
     return _NAMES.get(parameter) or "".join(word[:1].upper() + word[1:] for word in parameter.split("_"))
 
 
 def rows() -> Iterator[Parameter]:
-    """Of the parameter table: those that a Design has as properties, basic ones first."""
+    """Rows of the parameter table that a Design has as properties, basic ones first."""
     return iter(sorted((row for row in table() if row.level != "switch"), key=lambda row: not row.basic))
 
 
 def parameter_of(name: str) -> Optional[Parameter]:
-    """The row that a property is of; None for others."""
+    """Row of a property; None for others."""
     return next((row for row in rows() if property_name(row.name) == name), None)
 
 
 def values_of(obj: Any) -> dict[str, Any]:
-    """All parameters, in their units; those that are no property at their defaults. Without the native
-    module."""
+    """All parameters, in their units; those without a property at their defaults. Needs no native module."""
     return {row.name: value_of(obj, name) if (name := property_name(row.name)) in obj.PropertiesList
             else row.default for row in table()}
 
 
 def add_parameters(obj: Any, parameters: Any) -> None:
-    """One property for each parameter that `obj` lacks, with the value of `parameters`."""
+    """Add a property for each parameter that `obj` lacks, with the value of `parameters`."""
     supported = obj.supportedProperties()
     for row in rows():
         name = property_name(row.name)
@@ -70,48 +69,48 @@ def add_parameters(obj: Any, parameters: Any) -> None:
 
 
 def tip_of(row: Any) -> str:
-    """What a document says of a parameter's property. Windows translate it whole, in the context
-    App::Property as FreeCAD's property editor does."""
+    """Tooltip of a parameter's property. Windows translate it whole, in the context App::Property, as
+    FreeCAD's property editor does."""
     unit = f" {row.unit}" if row.unit else ""
     ends = f" From {row.minimum:g} to {row.maximum:g}{unit}." if row.type == "number" else ""
     return f"{row.meaning}{ends} {WHEN[row.effect]}"
 
 
 def write_parameters(obj: Any, parameters: Any) -> None:
-    """Sets the properties that differ from `parameters`; expressions on them stay and win."""
+    """Set the properties that differ from `parameters`; expressions on them stay and win."""
     for row in rows():
         write_parameter(obj, row.name, parameters.get(row.name))
 
 
 def write_parameter(obj: Any, name: str, value: Any) -> None:
-    """Sets the property of one parameter, where that changes it."""
+    """Set the property of a parameter to another value."""
     row = parameter(name)
     if not same(value_of(obj, property_name(name)), value):
         _set(obj, row, value)
 
 
 def read_parameters(obj: Any, base: Any, of_layout: bool = True) -> Any:
-    """The parameters that the properties say, with `base` for what is no property and, without `of_layout`,
-    for what only a new layout can follow. A property that is equal up to the digits which a document keeps
-    leaves the parameter its bits. Raises CurveUpsError."""
-    found = native.Parameters(base)
+    """Native Parameters of the properties. `base` gives parameters without a property and, without
+    `of_layout`, those that need a new layout. A property that is equal up to the digits of a document leaves
+    the parameter its bits. Raises CurveUpsError."""
+    parameters = native.Parameters(base)
     for row in rows():
         if not (of_layout or row.keeps_layout):
             continue
         name = property_name(row.name)
         value = value_of(obj, name)
-        if not same(value, found.get(row.name)):
+        if not same(value, parameters.get(row.name)):
             _refuse_wrong(obj, row, name, value)
             with translated(f"{obj.Label}.{name}"):
-                found.set(row.name, value)
+                parameters.set(row.name, value)
     with translated(obj.Label):
-        found.check()
-    return found
+        parameters.check()
+    return parameters
 
 
 def follow_printer(obj: Any) -> None:
-    """Gives Density what the printer's material weighs, as the command line does, unless it was set to
-    something else."""
+    """Set Density to that of the printer's material, as the command line does, unless it was set to another
+    value."""
     common = parameter("density").default
     weights = {name: density_of(name) for name in parameter("printer").choices}
     if any(same(value_of(obj, "Density"), known) for known in (common, *weights.values())):
@@ -119,7 +118,7 @@ def follow_printer(obj: Any) -> None:
 
 
 def value_of(obj: Any, name: str) -> Any:
-    """What the property of a parameter says, in the parameter's unit."""
+    """Value of a parameter's property, in the parameter's unit."""
     value = getattr(obj, name)
     if hasattr(value, "getValueAs"):
         kind = obj.getTypeIdOfProperty(name).removeprefix("App::Property")
@@ -129,13 +128,13 @@ def value_of(obj: Any, name: str) -> Any:
 
 
 def named(template: str) -> str:
-    """The template of a sentence with parameters called as their properties; its places stay."""
+    """Template of a sentence that names parameters as their properties; its placeholders stay."""
     names = "|".join(row.name for row in rows() if "_" in row.name)
     return re.sub(rf"(?<![{{\w])({names})\b", lambda match: property_name(match[0]), template)
 
 
 def same(a: Any, b: Any) -> bool:
-    """Equal up to the digits that a document keeps."""
+    """Compare up to the digits that a document keeps."""
     if isinstance(a, float) and isinstance(b, (int, float)) and not isinstance(b, bool):
         return abs(a - b) <= 1e-12 * max(abs(a), abs(b))
     return a == b
@@ -149,7 +148,7 @@ def _set(obj: Any, row: Any, value: Any) -> None:
 
 
 def _refuse_wrong(obj: Any, row: Any, name: str, value: Any) -> None:
-    """Out of range, in the words and the unit schema of the property editor."""
+    """Raise CurveUpsError for a number out of range, in the words and units of the property editor."""
     if row.type != "number" or row.minimum <= value <= row.maximum:
         return
     raise CurveUpsError(f"{name} can't be {shown(row, value)}", obj.Label,
@@ -157,7 +156,7 @@ def _refuse_wrong(obj: Any, row: Any, name: str, value: Any) -> None:
 
 
 def shown(row: Any, value: float) -> str:
-    """A parameter's value as the user's unit schema writes it."""
+    """Write a parameter's value in the user's unit schema."""
     if row.unit in _UNIT_TYPES:
         import FreeCAD
 

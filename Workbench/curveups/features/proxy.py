@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What all document objects of ours share: a stored type, and a proxy that can be attached anew.
+"""Base of all document objects of ours: a stored type, and a proxy that can be attached anew.
 
 A FreeCAD without this workbench drops proxies when it saves. The text in `CurveUpsType` stays, and
 document.py makes the proxy from it when the document is opened.
@@ -14,16 +14,18 @@ READ_ONLY, HIDDEN, OUTPUT = 1, 4, 8  # as addProperty takes them
 # Slots of a Design, in the order of the tree.
 SLOTS = ("Target", "Cuts", "Layout", "Verification", "Tiles", "Support", "Anchors")
 
-# Set by a window: what gives an object its view.
+# Set by a window: gives an object its view; after an edit, builds the solids of a Design on the worker or,
+# with False, ends that. Without a window solids are built as a Design is recomputed.
 attach_view: Optional[Callable[[Any], None]] = None
+build_later: Optional[Callable[[Any, bool], None]] = None
 
 
 class Proxy:
     """Behaviour of a document object. `obj` keeps all data: a proxy can be lost and made again."""
 
     TYPE: ClassVar[str] = ""
-    # FreeCAD makes the proxies of a document without __init__, and sets properties one after another:
-    # until all are there, changes are none.
+    # FreeCAD restores proxies without __init__, and sets properties one after another: until all are set,
+    # they are no edits.
     ready = False
 
     def __init__(self, obj: Any):
@@ -36,7 +38,7 @@ class Proxy:
         """Add the properties that `obj` lacks: all of them for a new object."""
 
     def execute(self, obj: Any) -> None:
-        """Results are kept, not computed: commands make them."""
+        """Compute nothing: commands make results."""
 
     def onDocumentRestored(self, obj: Any) -> None:
         self.add_properties(obj)
@@ -54,20 +56,20 @@ class Proxy:
 
 
 class PartProxy(Proxy):
-    """An object below a Design: it says itself whether it is up to date, for the tree and for scripts."""
+    """An object below a Design. Its properties say whether it is up to date, for the tree and for scripts."""
 
     def add_properties(self, obj: Any) -> None:
         add_part_properties(obj, self.TYPE)
 
 
 def add_type(obj: Any, kind: str) -> None:
-    """Stores what `obj` is to CurveUps."""
+    """Store the kind of object that `obj` is to CurveUps."""
     add(obj, "String", "CurveUpsType", "Base", "What this object is to CurveUps.", READ_ONLY | HIDDEN)
     write(obj, "CurveUpsType", kind)
 
 
 def add_part_properties(obj: Any, kind: str) -> None:
-    """Those of every object below a Design."""
+    """Add the properties of every object below a Design."""
     add_type(obj, kind)
     add(obj, "String", "Status", "Base",
         "empty, current, out of date, invalid or running.", READ_ONLY | OUTPUT)
@@ -75,24 +77,24 @@ def add_part_properties(obj: Any, kind: str) -> None:
 
 
 def add(obj: Any, kind: str, name: str, group: str, tip: str, status: int = 0) -> None:
-    """A property, where `obj` lacks it. kind: "String" is App::PropertyString."""
+    """Add a property that `obj` lacks. kind: "String" is App::PropertyString."""
     if name not in obj.PropertiesList:
         obj.addProperty(f"App::Property{kind}", name, group, tip, status)
 
 
 def write(obj: Any, name: str, value: Any) -> None:
-    """Sets a property where that changes it: an equal value would still count as an edit."""
+    """Set a property to another value: an equal value would still count as an edit."""
     if getattr(obj, name) != value:
         setattr(obj, name, value)
 
 
 def type_of(obj: Any) -> str:
-    """What `obj` is to CurveUps; empty for objects of others."""
+    """Kind of object that `obj` is to CurveUps; empty for objects of others, and for links to ours."""
     return getattr(obj, "CurveUpsType", "") if "CurveUpsType" in obj.PropertiesList else ""
 
 
 def designs(document: Any) -> list[Any]:
-    """The Design objects of a document, in the order of their making."""
+    """Design objects of a document, in the order of their making."""
     return [obj for obj in document.Objects if type_of(obj) == "CurveUps::Design"]
 
 
@@ -106,15 +108,7 @@ def design_of(obj: Any) -> Optional[Any]:
     return None
 
 
-def refresh(obj: Any) -> None:
-    """Brings the states of the Design that `obj` belongs to up to date, where that is whole already."""
-    design = design_of(obj)
-    proxy = getattr(design, "Proxy", None)
-    if proxy is not None and proxy.ready:
-        proxy.refresh(design)
-
-
 def show(obj: Any) -> None:
-    """Gives an object its icon and menu, where there is a window."""
+    """Give an object its icon and menu, where there is a window."""
     if attach_view is not None:
         attach_view(obj)

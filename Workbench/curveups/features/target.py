@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Defines the Target object: the source of the surface, and its division into tiles."""
+"""The Target object: the source of the surface, and its division into tiles."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from ..targets import cad_files
 from ..targets.cad_files import Read
 from ..targets.cad_parts import Choice
 from ..targets.target_files import require_readable
-from .proxy import HIDDEN, OUTPUT, READ_ONLY, add, add_part_properties, refresh, type_of, write
+from .proxy import HIDDEN, OUTPUT, READ_ONLY, add, add_part_properties, type_of, write
 
 TYPE = "CurveUps::Target"
 
 
 def make_target(obj: Any) -> None:
-    """Makes a plain mesh object a Target. Its mesh is the division into tiles. It has no proxy: observer.py
-    notices changes."""
+    """Make a plain mesh object a Target. Its mesh is the division into tiles. It has no proxy: the Design
+    depends on it, and is recomputed after it."""
     add_part_properties(obj, TYPE)
     add(obj, "Link", "Source", "Target",
         "The Part or Mesh object that gives the surface. Takes effect with Solve.")
@@ -40,41 +40,31 @@ def is_target(obj: Any) -> bool:
     return obj is not None and type_of(obj) == TYPE
 
 
-def notice(obj: Any) -> None:
-    """Compares the source with what it was; the Design says so where it changed."""
-    stamp = stamp_of(obj)
+def write_stamp(obj: Any) -> None:
+    """Store the state of the source in the Target's Stamp. A file that is not on this machine has not
+    changed."""
+    stamp = _stamp_of_object(obj.Source) if obj.Source else obj.BuiltIn or _stamp_of_file(obj.File)
     if stamp:
-        write(obj, "Stamp", stamp)
-    refresh(obj)
-
-
-def stamp_of(obj: Any) -> str:
-    """A text that is the same as long as the source is; empty where there is none to look at (a file
-    that is not on this machine has not changed)."""
-    if obj.Source is not None:
-        found = _stamp_of_object(obj.Source)
-    else:
-        found = obj.BuiltIn or _stamp_of_file(obj.File)
-    return f"{found} as it is" if found and obj.KeepMesh else found
+        write(obj, "Stamp", _stamp(stamp, obj.KeepMesh))
 
 
 def properties_for(source: Any) -> dict[str, Any]:
-    """What a Target has whose one source this is: a Part or Mesh object, a file's path or a built-in's name.
-    Raises CurveUpsError where that is none."""
-    found: dict[str, Any] = {"Source": None, "File": "", "BuiltIn": ""}
+    """Properties of a Target with one source: a Part or Mesh object, a file's path or a built-in's name.
+    Raises CurveUpsError where it is none of these."""
+    values: dict[str, Any] = {"Source": None, "File": "", "BuiltIn": ""}
     if not isinstance(source, (str, Path)):
-        found["Source"] = require_surface(source)
+        values["Source"] = require_surface(source)
     elif str(source) in dict(native.builtin_targets()):
-        found["BuiltIn"] = str(source)
+        values["BuiltIn"] = str(source)
     else:
         require_readable(Path(source))
-        found["File"] = str(Path(source).absolute())
-    return found
+        values["File"] = str(Path(source).absolute())
+    return values
 
 
 def source_of(obj: Any, known: Source | None) -> Source:
-    """What the project starts from; `known` where it is still that, so that nothing is made anew."""
-    # Whether a closed surface makes sense is for the cuts to say: they can be made later.
+    """Source of the project; `known` where it has not changed, so that nothing is made anew."""
+    # The cuts decide whether a closed surface makes sense: they can be made later.
     options: dict[str, Any] = {"remesh": not obj.KeepMesh, "will_be_cut": True}
     if known is not None and obj.Stamp == stamp_for(known):
         if known.read is not None or obj.Source is None:
@@ -92,13 +82,16 @@ def source_of(obj: Any, known: Source | None) -> Source:
 
 
 def stamp_for(source: Source) -> str:
-    """What `stamp_of` says of a Target that has this source."""
-    found = source.stamp or source.built_in
-    return found if source.remesh or not found else f"{found} as it is"
+    """Stamp of a Target that has this source."""
+    return _stamp(source.stamp or source.built_in, not source.remesh)
+
+
+def _stamp(of_source: str, keep_mesh: bool) -> str:
+    return f"{of_source} as it is" if of_source and keep_mesh else of_source
 
 
 def require_surface(obj: Any) -> Any:
-    """Raises CurveUpsError where `obj` has no surface."""
+    """Return `obj`. Raises CurveUpsError where it has no surface."""
     if not (hasattr(obj, "Mesh") and obj.Mesh.CountFacets or hasattr(obj, "Shape") and obj.Shape.Faces):
         raise CurveUpsError("this has no surface", getattr(obj, "Label", str(obj)),
                             "choose a Mesh or Part object with faces, or a file")
@@ -107,20 +100,20 @@ def require_surface(obj: Any) -> Any:
 
 def _stamp_of_file(path: str) -> str:
     try:
-        found = os.stat(path)
+        file = os.stat(path)
     except (OSError, ValueError):
         return ""
-    return _digest_of_file(path, found.st_size, found.st_mtime_ns)
+    return _digest_of_file(path, file.st_size, file.st_mtime_ns)
 
 
 @lru_cache(maxsize=16)
 def _digest_of_file(path: str, size: int, changed: int) -> str:
-    """A recompute asks each time: what has neither another size nor another date was not changed."""
+    """Digest of a file, read again when its size or its date changes: every recompute needs it."""
     return file_stamp(path)
 
 
 def _stamp_of_object(obj: Any) -> str:
-    """By what any edit changes: triangulations and digits of files do not count."""
+    """Digest of figures that any edit changes: triangulations and digits of files do not count."""
     if hasattr(obj, "Mesh"):
         mesh = obj.Mesh
         box = mesh.BoundBox
@@ -139,7 +132,7 @@ def _stamp_of_object(obj: Any) -> str:
 
 
 def _reader(obj: Any) -> Callable[[float, Choice], Read]:
-    """Makes triangles of the object as it is now, on whatever thread: it holds a copy."""
+    """Return a function that makes triangles of the object as it is now, on any thread: it has a copy."""
     label = obj.Label
     if hasattr(obj, "Mesh"):
         mesh = obj.Mesh.copy()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cuts as users draw them: along shortest paths of a mesh's edges, from one click to the next. Without
+"""Cuts as users draw them: along shortest paths of a mesh's edges, from one click to the next. Works without
 FreeCAD."""
 
 from __future__ import annotations
@@ -15,15 +15,15 @@ Edge = tuple[int, int]  # vertices, ascending
 
 
 class CutPaths:
-    """On a mesh: V (N x 3, mm), F (M x 3)."""
+    """Paths on a mesh: V (N x 3, mm), F (M x 3)."""
 
     def __init__(self, V: np.ndarray, F: np.ndarray):
         self.V, self.F = np.asarray(V, float), np.asarray(F, np.int32)
         self.interior = interior_edges(self.F)
 
     def reach(self, edge: Sequence[int], tip: Optional[int] = None) -> tuple[list[Edge], int]:
-        """What a click on an edge cuts, and the vertex that the next click goes on from: the edge, and
-        from `tip` on the shortest path there. Edges of the rim can't be cut; paths end there."""
+        """Edges that a click on an edge cuts, and the vertex from which the next click goes on: the edge and,
+        with a `tip`, the shortest path from it. Edges of the rim can't be cut; paths end there."""
         a, b = (int(v) for v in edge)
         if tip is None:
             return self._cuttable([(a, b)]), b
@@ -31,13 +31,11 @@ class CutPaths:
             return self._cuttable([(a, b)]), b if tip == a else a
         paths = {v: self._path(tip, v) for v in (a, b)}
         near, far = sorted((a, b), key=lambda v: self.length(paths[v]))
-        found = self._cuttable(paths[near])
-        if not self._cuttable([(a, b)]):
-            return found, near
-        return [*found, *self._cuttable([(a, b)])], far
+        path, last = self._cuttable(paths[near]), self._cuttable([(a, b)])
+        return [*path, *last], far if last else near
 
     def length(self, edges: Sequence[Edge]) -> float:
-        """mm."""
+        """Length of edges, mm."""
         if not len(edges):
             return 0.0
         ends = self.V[np.asarray(edges, int)]
@@ -50,14 +48,14 @@ class CutPaths:
         return list(zip(map(int, path), map(int, path[1:])))
 
     def _cuttable(self, edges: Sequence[Edge]) -> list[Edge]:
-        found = [(min(edge), max(edge)) for edge in edges]
-        return [edge for edge in found if edge in self.interior]
+        ascending = [(min(edge), max(edge)) for edge in edges]
+        return [edge for edge in ascending if edge in self.interior]
 
 
 def groups(edges: Sequence[Sequence[int]]) -> list[list[Edge]]:
-    """Edges that hang together, in the order of their first ones."""
+    """Connected groups of edges, in the order of their first ones."""
     pending = [(min(map(int, edge)), max(map(int, edge))) for edge in edges]
-    found: list[list[Edge]] = []
+    connected: list[list[Edge]] = []
     while pending:
         group = [pending.pop(0)]
         reached = set(group[0])
@@ -68,5 +66,5 @@ def groups(edges: Sequence[Sequence[int]]) -> list[list[Edge]]:
             group += touching
             reached.update(*touching)
             pending = [edge for edge in pending if edge not in touching]
-        found.append(group)
-    return found
+        connected.append(group)
+    return connected

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Errors in one line where the user looks: an open panel, else a notice over the window, and the report view.
-A click on a tile's name selects the tile."""
+"""Errors in one line: in an open panel, else in a notice over the window, and in the report view. A click on
+a tile's name selects the tile."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _panel: Optional[Callable[[str], None]] = None  # shows a line of rich text
 
 @contextmanager
 def errors_shown(what: str) -> Iterator[None]:
-    """Whatever the work inside raises becomes a notice. what: names the work, for the report view."""
+    """Show an error of the work inside. what: names the work, for the report view."""
     try:
         yield
     except Stopped:
@@ -39,7 +39,7 @@ def errors_shown(what: str) -> Iterator[None]:
 
 
 def show_error(error: Exception, what: str = "") -> None:
-    """Says an error; a traceback only where CURVEUPS_DEBUG=1 asks for it."""
+    """Show an error; with CURVEUPS_DEBUG=1 its traceback too."""
     if os.environ.get("CURVEUPS_DEBUG") == "1":
         lines = traceback.format_exception(type(error), error, error.__traceback__)
         FreeCAD.Console.PrintError("".join(lines))
@@ -52,7 +52,7 @@ def show_error(error: Exception, what: str = "") -> None:
 
 
 def _rich(error: CurveUpsError) -> str:
-    """An error in the user's language, with links to its tiles."""
+    """Rich text of an error in the user's language, with links to its tiles."""
     what, remedy = (escape(words_of(text), quote=False) for text in (error.what, error.remedy))
     if error.finding is not None:
         what, remedy = error.finding.sentence(_RICH), error.finding.remedy(_RICH)
@@ -63,7 +63,7 @@ def _rich(error: CurveUpsError) -> str:
 
 
 def show_line(line: str) -> None:
-    """A line for the user: in the panel that is open, else as a notice."""
+    """Show a line in the panel that is open, else as a notice."""
     _show(escape(line, quote=False))
 
 
@@ -75,17 +75,17 @@ def _show(text: str) -> None:
 
 
 def show_in(panel: Optional[Callable[[str], None]]) -> None:
-    """Where lines go while a panel is open; None when it closes."""
+    """Show lines in a panel from now on; None: as notices."""
     global _panel
     _panel = panel
 
 
 def words_of(text: str) -> str:
-    """An error's text, or what work says that it does, in the user's language; also where names or numbers
-    stand in it in the places {0}, {1} and so on."""
-    found = translate(CONTEXT, text)
-    if found != text:
-        return found
+    """Translate the text of an error, or of a step of work, also with names or numbers in the placeholders
+    {0}, {1} and so on."""
+    translated = translate(CONTEXT, text)
+    if translated != text:
+        return translated
     for template, pattern in _templates():
         match = pattern.fullmatch(text)
         if match:
@@ -95,7 +95,7 @@ def words_of(text: str) -> str:
 
 @lru_cache(maxsize=None)
 def _templates() -> list[tuple[str, re.Pattern]]:
-    """With places, those with the most words first; any language has them all."""
+    """Texts with placeholders and their patterns, the longest first; any language has them all."""
     path = next((RESOURCES / "translations").glob("*.ts"))
     texts = [message.findtext("source", "") for context in xml.parse(path).getroot().iter("context")
              if context.findtext("name") == CONTEXT for message in context.iter("message")]
@@ -104,7 +104,7 @@ def _templates() -> list[tuple[str, re.Pattern]]:
 
 
 def link(target: str, text: str) -> str:
-    """Rich text that can be clicked: on a dark ground in a lighter blue than Qt's."""
+    """Rich text that can be clicked, on a dark ground in a lighter blue than Qt's."""
     style = ' style="color: #6cb4ff"' if ink_and_paper()[0].lightness() > 128 else ""
     return f'<a href="{target}"{style}>{text}</a>'
 
@@ -117,13 +117,13 @@ _PLAIN = Style(lambda text: named(words_of(text)), quantity=quantity)
 _RICH = Style(_PLAIN.words, _link, lambda text: escape(text, quote=False), quantity)
 
 
-def shown(found: Finding, rich: bool = True) -> str:
-    """A finding in the user's language and units; in rich text names of tiles can be clicked."""
-    return found.sentence(_RICH if rich else _PLAIN)
+def shown(finding: Finding, rich: bool = True) -> str:
+    """Sentence of a finding in the user's language and units; in rich text names of tiles can be clicked."""
+    return finding.sentence(_RICH if rich else _PLAIN)
 
 
 def follow_link(link: str) -> None:
-    """Opens a file, or selects the tiles that a link names."""
+    """Open a file, or select the tiles that a link names."""
     if link.startswith("file:"):
         QtGui.QDesktopServices.openUrl(QtCore.QUrl(link))
     else:
@@ -131,20 +131,20 @@ def follow_link(link: str) -> None:
 
 
 class Notice(QtWidgets.QFrame):
-    """A line over the views that goes by itself or when it is closed."""
+    """A line over the views. It closes after a while."""
 
     SECONDS = 20
     _shown: Optional["Notice"] = None
 
     @classmethod
     def show_text(cls, text: str) -> None:
-        """Shows rich text, in place of an earlier notice."""
+        """Show rich text, in place of an earlier notice."""
         cls.hide_text()
         cls._shown = cls(FreeCADGui.getMainWindow(), text)
 
     @classmethod
     def hide_text(cls) -> None:
-        """Takes the notice away."""
+        """Close the notice."""
         if cls._shown is not None:
             cls._shown.close()
             cls._shown = None
@@ -175,7 +175,7 @@ class Notice(QtWidgets.QFrame):
         QtCore.QTimer.singleShot(1000 * self.SECONDS, self._leave)
 
     def _place(self, window: Any) -> None:
-        """Over the upper edge of the views."""
+        """Move the notice to the upper edge of the views."""
         area = window.centralWidget().geometry()
         width = max(240, min(720, area.width() - 40))
         self.setFixedWidth(width)

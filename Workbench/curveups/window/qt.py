@@ -23,41 +23,41 @@ RESOURCES = Path(__file__).parents[3] / "resources"
 
 
 def translate(context: str, text: str, **values: Any) -> str:
-    """`text` in the user's language; `{name}` in it stands for values[name]."""
-    found = QtCore.QCoreApplication.translate(context, text)
-    return found.format(**values) if values else found
+    """Translate `text` into the user's language; `{name}` in it stands for values[name]."""
+    translated = QtCore.QCoreApplication.translate(context, text)
+    return translated.format(**values) if values else translated
 
 
 def QT_TRANSLATE_NOOP(context: str, text: str) -> str:
-    """Marks a text that FreeCAD or a later `translate` translates."""
+    """Mark a text that FreeCAD or a later `translate` translates."""
     return text
 
 
 @lru_cache(maxsize=None)
 def _sample() -> Any:
-    """A label that nobody sees. It stays: PySide would take later widgets at its address for it."""
+    """A hidden label. It stays: PySide would take later widgets at its address for it."""
     label = QtWidgets.QLabel(FreeCADGui.getMainWindow())
     label.hide()
     return label
 
 
 def ink_and_paper() -> tuple[Any, Any]:
-    """Colours of text and of what is behind it, those of labels in the window: a style sheet's too."""
+    """Colours of a label's text and of its background, with those of a style sheet."""
     label = _sample()
     label.ensurePolished()
     ink, paper = (label.palette().color(role) for role in (label.foregroundRole(), label.backgroundRole()))
-    if ink.lightness() > 128 and paper.lightness() > 128:  # what is below the label shines through
+    if ink.lightness() > 128 and paper.lightness() > 128:  # the label is transparent
         paper = QtGui.QColor(32, 32, 32)
     return ink, paper
 
 
 class _Loader(QtUiTools.QUiLoader):
-    """Makes widgets in Python. PySide may take those that C++ makes for deleted ones of other types that had
-    their addresses."""
+    """Loader that makes widgets in Python. PySide may take widgets that C++ makes for deleted ones of other
+    types that had their addresses."""
 
     def __init__(self) -> None:
         super().__init__()
-        self.made: dict[str, Any] = {}
+        self.widgets: dict[str, Any] = {}
 
     def createWidget(self, kind: str, parent: Any = None, name: str = "") -> Any:
         if hasattr(QtWidgets, kind):
@@ -66,23 +66,23 @@ class _Loader(QtUiTools.QUiLoader):
             widget = freecad_field(kind)
             widget.setParent(parent)
         widget.setObjectName(name)
-        self.made[name] = widget
+        self.widgets[name] = widget
         return widget
 
 
 def load_ui(name: str) -> Any:
-    """The widget that resources/ui/`name`.ui describes, with its children as attributes."""
+    """Make the widget of resources/ui/`name`.ui, with its children as attributes."""
     loader = _Loader()
     form = loader.load(str(RESOURCES / "ui" / f"{name}.ui"))
-    for child, widget in loader.made.items():
+    for child, widget in loader.widgets.items():
         if widget is not form:
             setattr(form, child, widget)
     return form
 
 
 def freecad_field(kind: str) -> Any:
-    """FreeCAD's own field, which reads units and expressions. PySide 6 may take it for a deleted one that had
-    its address: then another is made."""
+    """Make FreeCAD's own field, which reads units and expressions. PySide 6 may take it for a deleted widget
+    that had its address: then make another."""
     taken: list[Any] = []
     while True:
         field = FreeCADGui.UiLoader().createWidget(kind)

@@ -1,19 +1,30 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The one run of the window: started here, polled by a timer, drawn while it goes, taken over or dropped
-when it ends. Panels come and go meanwhile; so may the document, and FreeCAD itself."""
+"""Work of the window, on one worker: the run that a command starts, and the solids that follow edits.
+
+A timer draws a run as it goes, and hands its results over when it ends. Panels come and go meanwhile; so may
+the document, and FreeCAD itself. Solids are built after the transaction and outside of it: an undo holds
+numbers alone, nobody waits, and what is not up to date yet says so. An edit, or a run, ends what is being
+built.
+"""
 
 from __future__ import annotations
 
 import time
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any, Callable, Optional
 
 import FreeCAD
 import FreeCADGui
 
 from ..base.errors import CurveUpsError
+from ..base.findings import refused
+from ..base.native import problem
+from ..features import live, proxy
+from ..features.design import SOLIDS, bodies_record, fail_solids, lacks_solids, take_solids
 from ..features.document import has_layout, set_running
 from ..features.status import has_tiles
+from ..project.keys import Record
 from ..project.project import Project
 from ..project.worker import WORKER, Outcome, Status
 from ..stages import label_of
@@ -26,52 +37,57 @@ from .panels.preferences import draws_live
 from .qt import QtCore, QtWidgets, translate
 
 INTERVAL = 40  # ms between looks at the worker
-TELLING = 0.2  # s between words of how far a stage is: each has the whole window composed anew
+REPORTS = 0.2  # s between reports of how far a stage is: each has the whole window composed anew
+PAUSE = 250  # ms without another edit, before solids are built
 QUIT_SECONDS = 20.0  # that FreeCAD waits for a native call to see that it is stopped
+
+Place = tuple[str, str]  # names of a document and an object
 
 
 @dataclass(frozen=True)
 class Task:
-    """title: of the command. work: for the worker's thread; it touches no document. finish: gets what
-    work made, in the window's thread. follow: what follows from that in the document, before it is drawn.
-    project: that it is done on, for pictures of it. told: called once what finish has done is drawn and the
-    observers know of the end."""
+    """title: of the command. work: for the worker's thread; it touches no document. finish: takes the value
+    of the work, in the window's thread; a recompute follows. project: of the work, for pictures of it. told:
+    called once the results are drawn and the observers know of the end."""
 
     title: str
     work: Callable[[Job], Any]
     finish: Callable[[Any, Any], None]  # design, value
     project: Optional[Project] = None
     told: Optional[Callable[[], None]] = None
-    follow: Optional[Callable[[Any], None]] = None  # design
 
 
 Observer = Callable[[Status, bool], None]  # where the run is; whether it goes on
 
 
 class Live:
-    """Starts tasks and tells observers. One at a time: the second is refused with a CurveUpsError."""
+    """Starts tasks and tells observers. One at a time: the second is refused with a CurveUpsError. A document
+    observer."""
 
     def __init__(self) -> None:
         self._observers: list[Observer] = []
         self._timer: Any = None
+        self._pause: Any = None
         self._task: Optional[Task] = None
-        self._place = ("", "")  # document and object that the run is for
+        self._place: Place = ("", "")  # design of the run
         self._drawn, self._rest_until, self._scene_drawn = 0, 0.0, False
-        self._told = ("", 0.0)  # of which stage the observers were last, and when
+        self._reported = ("", 0.0)  # stage of the last report, and when
         self._before = False, False  # whether the design had tiles, and a layout
         self._drawing = False  # the document has the results; the picture follows
+        self._to_build: dict[Place, None] = {}  # designs whose solids are to be built
+        self._building: Optional[Place] = None
 
     @property
     def busy(self) -> bool:
-        return WORKER.busy or self._drawing
+        return self._task is not None or self._drawing
 
     def obstacle(self) -> str:
-        """Why nothing else can begin now; empty where it can."""
+        """Reason why nothing else can begin now; empty where it can."""
         return translate("CurveUps", "CurveUps is at work: stop or cancel that first") if self.busy else ""
 
     def runs_on(self, design: Any) -> bool:
-        """Whether the run is this design's."""
-        return self.busy and self._place == (design.Document.Name, design.Name)
+        """True while the run is this design's."""
+        return self.busy and self._place == _place(design)
 
     def observe(self, observer: Observer) -> None:
         self._observers.append(observer)
@@ -81,57 +97,80 @@ class Live:
             self._observers.remove(observer)
 
     def start(self, design: Any, task: Task) -> None:
-        """Raises CurveUpsError where something runs already."""
+        """Start a run. Raises CurveUpsError where there is one already."""
         if self.busy:
             raise CurveUpsError(self.obstacle())
-        self._install()
+        self._end_building()
         WORKER.start_work(task.work, self._ended)
-        self._task, self._place = task, (design.Document.Name, design.Name)
+        self._task, self._place = task, _place(design)
         self._drawn, self._rest_until, self._scene_drawn = 0, 0.0, False
         self._before = has_tiles(design), has_layout(design)
         set_running(design, True)
-        self._timer.start(INTERVAL)
-        self._tell(True)
+        self._timer.start()
+        self._report(True)
 
     def stop(self) -> None:
         """Keep the best so far."""
-        WORKER.stop()
-        self._tell(True)
+        if self._task is not None:
+            WORKER.stop()
+            self._report(True)
 
     def cancel(self) -> None:
         """Leave the design as it was."""
-        WORKER.cancel()
-        WORKER.poll()
-
-    def slotDeletedDocument(self, document: Any) -> None:
-        """Of FreeCAD's document observer."""
-        self._abandon(document.Name)
-
-    def slotDeletedObject(self, obj: Any) -> None:
-        """Of FreeCAD's document observer."""
-        self._abandon(obj.Document.Name, obj.Name)
-
-    def _abandon(self, document: str, name: str = "") -> None:
-        """The design, or its document, is going away: nothing of it is touched any more."""
-        if self.busy and self._place[0] == document and name in ("", self._place[1]):
-            self._place = ("", "")
-            self.cancel()
+        if self._task is not None:
+            WORKER.cancel()
+            WORKER.poll()
 
     def quit(self) -> None:
         """FreeCAD ends: no thread may be left in the native module."""
-        self._place = ("", "")
-        if self._timer is not None:
-            self._timer.stop()
+        self._place, self._building = ("", ""), None
+        self._timer.stop()
+        self._pause.stop()
         WORKER.cancel()
         WORKER.wait(QUIT_SECONDS)
 
-    def _install(self) -> None:
+    def install(self) -> None:
+        """Prepare timers, and observe documents; once for each window."""
         if self._timer is not None:
             return
-        self._timer = QtCore.QTimer()
+        self._timer, self._pause = QtCore.QTimer(), QtCore.QTimer()
+        self._timer.setInterval(INTERVAL)
         self._timer.timeout.connect(lambda: self._look())
+        self._pause.setInterval(PAUSE)
+        self._pause.setSingleShot(True)
+        self._pause.timeout.connect(lambda: self._build())
         FreeCAD.addDocumentObserver(self)
         QtWidgets.QApplication.instance().aboutToQuit.connect(lambda: self.quit())
+        proxy.build_later = self.build_later
+
+    # Documents.
+
+    def slotDeletedDocument(self, document: Any) -> None:
+        self._abandon(document.Name)
+
+    def slotDeletedObject(self, obj: Any) -> None:
+        self._abandon(obj.Document.Name, obj.Name)
+
+    def slotCommitTransaction(self, document: Any) -> None:
+        """Go on with solids that waited for the end of a transaction."""
+        if self._to_build:
+            self._pause.start()
+
+    slotAbortTransaction = slotCommitTransaction
+
+    def _abandon(self, document: str, name: str = "") -> None:
+        """Touch nothing any more of a design, or a document, that is going away."""
+        def goes(place: Optional[Place]) -> bool:
+            return place is not None and place[0] == document and name in ("", place[1])
+
+        self._to_build = {place: None for place in self._to_build if not goes(place)}
+        if goes(self._building):
+            self._end_building()
+        if self.busy and goes(self._place):
+            self._place = ("", "")
+            self.cancel()
+
+    # Runs.
 
     def _look(self) -> None:
         WORKER.poll()
@@ -139,14 +178,21 @@ class Live:
             self._timer.stop()
         if not WORKER.busy:
             return
-        status, (stage, when) = WORKER.status(), self._told
-        if status.stage != stage or time.perf_counter() >= when + TELLING:
-            self._tell(True)
+        status, (stage, when) = WORKER.status(), self._reported
+        if self._building is not None:
+            if status.seconds > 1 and time.perf_counter() >= when + REPORTS:
+                self._reported = "", time.perf_counter()
+                _show_in_bar(translate(
+                    "CurveUps", "CurveUps: building solids ({seconds:.0f} s); an edit ends it",
+                    seconds=status.seconds))
+            return
+        if status.stage != stage or time.perf_counter() >= when + REPORTS:
+            self._report(True)
         self._draw(status)
 
     def _draw(self, status: Status) -> None:
-        """The newest iterate; pictures that take long come more seldom."""
-        design = self._design()
+        """Draw the newest iterate; pictures that take long come more seldom."""
+        design = _find(self._place)
         if (design is None or status.iterate is None or status.count == self._drawn or status.stopping
                 or not draws_live() or time.perf_counter() < self._rest_until):
             return
@@ -162,20 +208,20 @@ class Live:
         self._rest_until = time.perf_counter() + 2 * (time.perf_counter() - start)
 
     def _ended(self, outcome: Outcome) -> None:
-        task, design = self._task, self._design()
+        task, design = self._task, _find(self._place)
         self._task = None
         if design is None or task is None:
-            self._tell(False)
+            self._report(False)
             return
         with errors_shown(task.title):
-            self._settle(design, task, outcome)
+            self._hand_over(design, task, outcome)
         if outcome.value is not None:
             self._drawing = True  # in a turn of the event loop of its own: each holds the window for a while
             QtCore.QTimer.singleShot(0, lambda: self._show(task))
             return
-        self._tell(False)
+        self._report(False)
 
-    def _settle(self, design: Any, task: Task, outcome: Outcome) -> None:
+    def _hand_over(self, design: Any, task: Task, outcome: Outcome) -> None:
         set_running(design, False)
         if outcome.value is not None:
             task.finish(design, outcome.value)
@@ -187,14 +233,13 @@ class Live:
         overlay_of(design).show_design()
 
     def _show(self, task: Task) -> None:
-        """Draws what a run has made, tells of its end, and brings first tiles or a first layout into view."""
-        self._drawing, design = False, self._design()
+        """Draw the results of a run, report its end, and bring first tiles or a first layout into view."""
+        self._drawing, design = False, _find(self._place)
         if design is not None:
             with errors_shown(task.title):
-                if task.follow is not None:
-                    task.follow(design)
+                design.Document.recompute()
                 overlay_of(design).show_design()
-        self._tell(False)
+        self._report(False)
         if design is None:  # it went away meanwhile
             return
         if task.told is not None:
@@ -204,22 +249,92 @@ class Live:
         if view is not None and self._before != (has_tiles(design), has_layout(design)):
             view.fitAll()
 
-    def _design(self) -> Any:
-        document, name = self._place
-        known = FreeCAD.listDocuments().get(document)
-        return known.getObject(name) if known else None
-
-    def _tell(self, goes_on: bool) -> None:
+    def _report(self, goes_on: bool) -> None:
         status = WORKER.status()
-        self._told = status.stage, time.perf_counter()
+        self._reported = status.stage, time.perf_counter()
         what = words_of(status.what) if status.what else translate("CurveUpsSolve", label_of(status.stage))
         status = replace(status, what=what)
         if not goes_on:
-            FreeCADGui.getMainWindow().statusBar().clearMessage()
+            _show_in_bar("")
+            self._pause.start()  # solids that waited for the end
         elif not self._observers:  # no panel shows it
-            FreeCADGui.getMainWindow().statusBar().showMessage(f"CurveUps: {status.what}")
+            _show_in_bar(f"CurveUps: {status.what}")
         for observer in list(self._observers):
             observer(status, goes_on)
+
+    # Solids.
+
+    def build_later(self, design: Any, to_build: bool) -> None:
+        """Build the solids of a design that was edited, once nothing else is at work; or not any more."""
+        place = _place(design)
+        if self._building == place:
+            self._end_building()
+        self._to_build.pop(place, None)
+        if to_build:
+            self._to_build[place] = None
+            self._pause.start()
+
+    def _build(self) -> None:
+        """Start with the first design that needs solids, outside of transactions."""
+        if self.busy or self._building is not None or problem() is not None:
+            return
+        for place in list(self._to_build):
+            design = _find(place)
+            if design is not None and design.Document.HasPendingTransaction:
+                continue
+            del self._to_build[place]
+            if design is None or not lacks_solids(design):
+                continue
+            record = bodies_record(design)
+            try:
+                project = live.design_project_of(design)
+            except CurveUpsError as error:
+                fail_solids(design, refused(error), record)
+                continue
+            WORKER.start(project, SOLIDS, partial(self._built, design, record))
+            self._building = place
+            self._timer.start()
+            return
+
+    def _built(self, design: Any, record: Record, outcome: Outcome) -> None:
+        place, self._building = self._building, None
+        _show_in_bar("")
+        self._pause.start()  # the next one
+        if place is None or outcome.cancelled:
+            return
+        error = outcome.error
+        if error is not None and not isinstance(error, CurveUpsError):
+            error = CurveUpsError(f"unexpected failure: {error}", design.Label, "please report it")
+        if design.Document.HasPendingTransaction:  # which would hold the shapes
+            self._to_build[place] = None
+        elif error is not None:
+            fail_solids(design, refused(error), record)
+        elif outcome.value is not None:
+            take_solids(design, outcome.value)
+
+    def _end_building(self) -> None:
+        """Drop solids that are being built; they are built again later."""
+        if self._building is not None:
+            self._to_build[self._building] = None
+            WORKER.cancel()
+            WORKER.poll()
+
+
+def _place(design: Any) -> Place:
+    return design.Document.Name, design.Name
+
+
+def _find(place: Place) -> Any:
+    document = FreeCAD.listDocuments().get(place[0])
+    return document.getObject(place[1]) if document else None
+
+
+def _show_in_bar(text: str) -> None:
+    bar = FreeCADGui.getMainWindow().statusBar()
+    if text:
+        bar.showMessage(text)
+    elif bar.currentMessage().startswith("CurveUps: "):  # no other message has taken its place
+        bar.clearMessage()
 
 
 LIVE = Live()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs a design from the window, for Check, Solve, Verify, Repair, Build Solids, and for the
-tiles that Cuts needs."""
+"""Runs of a design from the window (Check, Solve, Verify, Repair, Build Solids, and the tiles for Cuts), and
+the lines that macros record of them."""
 
 from __future__ import annotations
 
@@ -19,31 +19,31 @@ from .run import LIVE, Task
 
 
 def call(function: str, *arguments: str) -> None:
-    """Calls a function of curveups.features with arguments as Python text, and records it: the line in the
-    macro does the same in a FreeCAD without a window. function: "document.new_design", say. Raises what
-    the function raises."""
+    """Call a function of curveups.features with arguments as Python text, and record it: the line in the
+    macro does the same in a FreeCAD without a window. function: "document.new_design", say. Raises the errors
+    of the function."""
     FreeCADGui.doCommand(f"from curveups.features import {function.split('.')[0]}")
     FreeCADGui.doCommand(f"{function}({', '.join(arguments)})")
 
 
 def assign(obj: Any, name: str, value: Any) -> None:
-    """Sets a property of an object, and records it; numbers are in FreeCAD's own units."""
+    """Set a property of an object, and record it; numbers are in FreeCAD's own units."""
     FreeCADGui.doCommand(f"{named(obj)}.{name} = {value!r}")
 
 
 def new_document(name: str, label: str) -> Any:
-    """A new document, which becomes the active one; the macro makes it too."""
+    """Make a new document, which becomes the active one, and record it."""
     FreeCADGui.doCommand(f"FreeCAD.newDocument({name!r}, {label!r})")
     return FreeCAD.ActiveDocument
 
 
 def named(obj: Any) -> str:
-    """A document object as Python text."""
+    """Python text of a document object."""
     return f"FreeCAD.getDocument({obj.Document.Name!r}).getObject({obj.Name!r})"
 
 
 def reason(which: str, design: Any) -> str:
-    """Why a run of a design can't start now; empty where it can."""
+    """Reason why a run of a design can't start now; empty where it can."""
     wrong = problem()
     if wrong is not None:
         return str(wrong)
@@ -56,25 +56,19 @@ def reason(which: str, design: Any) -> str:
 
 
 def start(which: str, design: Any, told: Optional[Callable[[], None]] = None) -> None:
-    """Starts a run on the worker; its results become the document's when it ends, and `told` is called
-    then. Raises CurveUpsError where it can't start."""
+    """Start a run on the worker. When it ends, the document takes its results, and `told` is called. Raises
+    CurveUpsError where it can't start."""
     wrong = reason(which, design)
     if wrong:
         raise CurveUpsError(wrong)
     command = "".join(word.capitalize() for word in which.split("_"))
     title = translate(f"CurveUps_{command}", actions.RUNS[which].title)
     project, work = actions.prepare(which, design)
-    LIVE.start(design, Task(title, work, partial(finish, which), project, told, _recompute))
+    LIVE.start(design, Task(title, work, partial(finish, which), project, told))
 
 
-def finish(which: str, design: Any, made: Any, *arguments: str) -> None:
-    """Hands what a thread has made to the function `which` of `actions`, and calls that as a macro does.
+def finish(which: str, design: Any, value: Any, *arguments: str) -> None:
+    """Hand the value of a thread's work to the function `which` of `actions`, and call that as a macro does.
     arguments: as Python text."""
-    actions.hand_over(which, design, made)
+    actions.hand_over(which, design, value)
     call(f"actions.{which}", named(design), *arguments)
-
-
-def _recompute(design: Any) -> None:
-    with design.Proxy.many_changes():
-        design.Document.recompute()
-    design.Proxy.refresh(design)

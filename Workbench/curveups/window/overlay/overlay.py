@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The overlay of one Design: what its view shows, and how that follows document, user and solver.
+"""The overlay of one Design: it follows the document, the user and the solver.
 
-What the user chose is kept in properties of the view provider, so that it outlives selection and
-reopening; `view_changed` follows them, whoever sets them.
+Properties of the view provider keep the user's choices, so that they outlive selection and reopening;
+`view_changed` follows them.
 """
 
 from __future__ import annotations
@@ -47,16 +47,15 @@ class Overlay:
         self.object, self._document = view.Object, view.Object.Document.Name
         self._view = view
         self.scene: Optional[Scene] = None
-        self.note = ""                      # why it can't be drawn as the design is now
+        self.note = ""                      # why the present design can't be drawn
         self.selected: list[int] = []       # tiles
         self._hovered: list[int] = []
-        self._shown: Optional[picture.State] = None  # what the scene was made from
+        self._shown: Optional[picture.State] = None  # of what the scene was made from
         self._iterating = False
-        self._aged: list[str] = []          # what the legend says of that
         self._waiting = False
         self.shows_target = False           # the target before any layout, though there may be one
-        self.observers: list[Callable[[], None]] = []  # called when what is shown has changed
-        self.folding: Any = None                       # what moves the tiles just now
+        self.observers: list[Callable[[], None]] = []  # called when the picture has changed
+        self.folding: Any = None                       # animation of the tiles
         self.closed = False
         self._picture, self.legend = Picture(), Legend()
         self.node = self._picture.node
@@ -77,16 +76,15 @@ class Overlay:
             view.SelectionStyle = "BoundBox"  # otherwise a selected design loses all its colours
 
     def close(self) -> None:
-        """The design is gone."""
+        """Let go of a design that was deleted."""
         self.scene, self._shown, self.closed = None, None, True
         self._show_legend(None)
         self._tell()
 
-    # What follows the document.
+    # The document.
 
     def show_design(self) -> None:
-        """Draws the design as it is now. Where it can't be drawn the last picture stays, and the legend
-        says why."""
+        """Draw the present design. Where that fails the last picture stays, and the legend says why."""
         self._waiting = self._iterating = False
         try:
             project = project_of(self.object)
@@ -94,8 +92,7 @@ class Overlay:
                 project = design_project_of(self.object)
             shown = picture.State(project, self.shows_target)
             if shown.same(self._shown) and not self.note:
-                if self._ages() != self._aged:
-                    self._colour()
+                self._colour()  # its age may be another
                 return
             with translated(self.object.Label):
                 scene = (target_scene_of if self.shows_target else scene_of)(project)
@@ -107,14 +104,14 @@ class Overlay:
         self._take(scene)
 
     def show_target(self, shown: bool) -> None:
-        """Draws the target as it is before any layout, with the margins of its tiles where it was checked,
-        until it is told not to."""
+        """Draw the target without its layout, with the margins of its tiles where it was checked; or with
+        False the design again."""
         self.shows_target = shown
         self.refresh()
 
     def set_iterate(self, T: np.ndarray, q: np.ndarray, scene: Optional[Scene] = None) -> None:
-        """Draws a layout that a solver has at hand (M x 3 x 2 and M x 2 x 3, mm) until `show_design`. One of
-        other tiles than those of the scene, by default the one that is shown, is left out."""
+        """Draw an iterate of a solver (M x 3 x 2 and M x 2 x 3, mm) until `show_design`. An iterate of other
+        tiles than those of the scene, by default the present one, is left out."""
         scene = scene or self.scene
         if scene is None or len(T) != len(scene.F):
             return
@@ -124,12 +121,12 @@ class Overlay:
         self._take(scene)
 
     def show_scene(self, scene: Optional[Scene]) -> None:
-        """Draws any scene, until `show_design`."""
+        """Draw any scene, until `show_design`."""
         self._shown = None
         self._take(scene)
 
     def data_changed(self, name: str) -> None:
-        """A property of the Design has changed."""
+        """Follow a property of the Design."""
         if name == "Placement":
             self._picture.place(self.placement())
         elif name == "Label":
@@ -142,7 +139,7 @@ class Overlay:
             self.refresh()
 
     def refresh(self) -> None:
-        """Draws the design once those who are at work on the document are through."""
+        """Draw the design in the next turn of the event loop, once for many changes."""
         if not self._waiting:
             self._waiting = True
             QtCore.QTimer.singleShot(0, self._refresh)
@@ -159,7 +156,7 @@ class Overlay:
             self.explain()
 
     def view_changed(self, name: str) -> None:
-        """A property of the view provider has changed."""
+        """Follow a property of the view provider."""
         if name == "Visibility":
             self._arrange_legends()
             if self._view.Visibility:
@@ -174,8 +171,8 @@ class Overlay:
             self._colour()
 
     def _compute_membranes(self) -> None:
-        """Starts their run, and draws them until the design changes. They are stored nowhere: most of a
-        verification, and seldom looked at."""
+        """Start a run that computes the membranes, and draw them until the design changes. They are stored
+        nowhere: they are most of a verification, and seldom looked at."""
         if self.scene is None or self.scene.flat is None or self._iterating:
             return
 
@@ -189,61 +186,56 @@ class Overlay:
             design = project.latest("design").design.with_parameters(project.parameters)
             LIVE.start(self.object, Task(title, lambda job: membranes_of(design, job), draw))
 
-    # What the user chooses.
+    # The user.
 
     def fields(self) -> list[str]:
-        """Names of what tiles can be coloured by as things stand."""
+        """Names of the present fields that can colour tiles."""
         return list(self.scene.fields) if self.scene else []
 
     def field(self) -> Optional[Field]:
-        """What tiles are coloured by."""
+        """Field that colours the tiles."""
         if self.scene is None or self._view.Field == NO_FIELD:
             return None
         return self.scene.fields.get(self._view.Field) or next(iter(self.scene.fields.values()), None)
 
     def set_field(self, name: str) -> None:
-        """Colours by a field; "None": tiles are plain. A field that there is not yet shows once there is."""
+        """Colour by a field; "None": tiles are plain. A field that does not exist yet shows once it does."""
         self._view.Field = name
 
-    def age(self, one: Optional[Field]) -> str:
-        """Says that what a field shows, or without one the tiles, is not of the design as it stands; empty
-        where it is."""
-        return "" if self._iterating else picture.age(self.object, one, self.scene)
-
-    def _ages(self) -> list[str]:
-        """Of all that may be shown."""
-        return [self.age(None), *map(self.age, self.scene.fields.values() if self.scene else ())]
+    def age(self, field: Optional[Field]) -> str:
+        """Reason why a field, or without one the tiles, is not of the present design; empty where it is."""
+        return "" if self._iterating else picture.age(self.object, field, self.scene)
 
     def range(self) -> tuple[float, float]:
-        """Of the field that is shown, in its unit."""
-        one = self.field()
-        if one is None:
+        """Range of the present field, in its unit."""
+        field = self.field()
+        if field is None:
             return 0.0, 1.0
         try:
-            low, high = (float(text) for text in self._view.Ranges[one.name].split())
+            low, high = map(float, self._view.Ranges[field.name].split())
             if low < high:
                 return low, high
         except (KeyError, ValueError):
             pass
-        return one.automatic_range()
+        return field.automatic_range()
 
     def set_range(self, ends: Optional[tuple[float, float]]) -> None:
-        """Of the field that is shown; None for the automatic one."""
-        one = self.field()
-        if one is None:
+        """Set the range of the present field; None for the automatic one."""
+        field = self.field()
+        if field is None:
             return
         ranges = dict(self._view.Ranges)
-        ranges.pop(one.name, None)
+        ranges.pop(field.name, None)
         if ends is not None:
-            ranges[one.name] = " ".join(repr(float(end)) for end in ends)
+            ranges[field.name] = " ".join(repr(float(end)) for end in ends)
         self._view.Ranges = ranges
 
     def morph(self) -> float:
-        """Where the tiles are drawn, from 0, flat, to 1, actuated."""
+        """State of the drawn tiles, from 0, flat, to 1, actuated."""
         return self._picture.t
 
     def set_morph(self, t: float) -> None:
-        """Folds: 0 is flat, 1 actuated. Cameras go along, so that the tiles stay in sight."""
+        """Fold to a state, 0 flat to 1 actuated. Cameras follow, so that the tiles stay in sight."""
         before = self._picture.t
         self._view.Morph = min(1.0, max(0.0, float(t)))
         if self.scene is not None and self.scene.motion is not None:
@@ -251,51 +243,50 @@ class Overlay:
             cameras.shift(self.object.Document.Name, self.placement().Rotation.multVec(FreeCAD.Vector(*step)))
 
     def select_tiles(self, tiles: Iterable[int]) -> None:
-        """Selects tiles by number (0 is T00001) in FreeCAD, and no others of the design."""
+        """Select tiles by number (0 is T00001) in FreeCAD, and no others of the design."""
         document = self.object.Document.Name
         FreeCADGui.Selection.clearSelection(document)
         for tile in tiles:
             FreeCADGui.Selection.addSelection(document, self.object.Name, tile_name(tile))
 
     def look_at(self, tiles: Sequence[int]) -> None:
-        """Turns the camera to tiles, head on."""
+        """Turn the camera to tiles, head on."""
         cameras.look_at(self.object.Document.Name, self._picture.corners[list(tiles), :3], self.placement())
 
-    # What FreeCAD's selection says.
+    # Selection.
 
     def tile_of(self, picked: Any) -> int:
-        """The tile that a SoPickedPoint is on; -1 where it is none."""
+        """Tile of a SoPickedPoint; -1 where it is on none."""
         return self._picture.tile_of(picked)
 
     def mark_selected(self, tiles: Sequence[int], hovered: Sequence[int]) -> None:
-        """Lights tiles up, in every figure."""
-        count = len(self.scene.F) if self.scene else 0
-        changed = [tile for tile in tiles if tile < count] != self.selected
+        """Light tiles up, in every figure."""
+        count, before = len(self.scene.F) if self.scene else 0, self.selected
         self.selected = [tile for tile in tiles if tile < count]
         self._hovered = [tile for tile in hovered if tile < count]
-        if changed:
+        if self.selected != before:
             self._colour_figures()
             self._tell()
         self._outline()
 
     def values_of(self, tile: int) -> list[tuple[str, str]]:
-        """Names of fields with a tile's values as the user reads them."""
+        """Names of fields with a tile's values, in the user's units."""
         if self.scene is None:
             return []
-        found = []
-        for one in self.scene.fields.values():
-            if one.on != MEMBRANE:
-                factor, unit = user_unit(one.unit, one.size)
-                values = ", ".join(short(x * factor) for x in self.scene.tile_values(one, tile))
-                found.append((translate("CurveUps_Fields", one.name), f"{values} {unit}".rstrip()))
-        return found
+        values = []
+        for field in self.scene.fields.values():
+            if field.on != MEMBRANE:
+                factor, unit = user_unit(field.unit, field.size)
+                numbers = ", ".join(short(x * factor) for x in self.scene.tile_values(field, tile))
+                values.append((translate("CurveUps_Fields", field.name), f"{numbers} {unit}".rstrip()))
+        return values
 
     def figures(self) -> list[tuple[np.ndarray, np.ndarray]]:
-        """Corners of what is drawn (M x 6 x 3, mm) and its place beside the design's, for picking."""
+        """Corners of the drawn figures (M x 6 x 3, mm) and their offsets from the design, for picking."""
         return [] if self.scene is None else self._picture.figures()
 
     def placement(self) -> Any:
-        """Where the Design stands."""
+        """Placement of the Design."""
         return getattr(self.object, "Placement", None) or FreeCAD.Placement()
 
     # Drawing.
@@ -326,18 +317,18 @@ class Overlay:
         self._mark()
         self.explain()
 
-    def _colour_map(self, one: Optional[Field]) -> str:
+    def _colour_map(self, field: Optional[Field]) -> str:
         name = self._view.ColourMap
         if name != AUTOMATIC:
             return name
-        return colours.SIGNED if one is not None and one.signed else colours.NAMES[0]
+        return colours.SIGNED if field is not None and field.signed else colours.NAMES[0]
 
     def _colour_figures(self) -> None:
-        scene, one = self.scene, self.field()
+        scene, field = self.scene, self.field()
         if scene is not None:
-            name, ends, faded = self._colour_map(one), self.range(), bool(self.age(one))
-            self._picture.colour_tiles(scene, one, name, ends, self.selected, faded)
-            self._picture.colour_sheets(scene, one, name, ends, faded)
+            name, ends, faded = self._colour_map(field), self.range(), bool(self.age(field))
+            self._picture.colour_tiles(scene, field, name, ends, self.selected, faded)
+            self._picture.colour_sheets(scene, field, name, ends, faded)
 
     def _tell(self) -> None:
         for observer in list(self.observers):
@@ -345,7 +336,7 @@ class Overlay:
 
     def _problems(self) -> list[Field]:
         fields = self.scene.fields.values() if self.scene else ()
-        return [one for one in fields if one.mark and len(one.problems) and not self.age(one)]
+        return [field for field in fields if field.mark and len(field.problems) and not self.age(field)]
 
     def _mark(self) -> None:
         if self.scene is not None:
@@ -355,40 +346,40 @@ class Overlay:
         self._picture.outline(self.selected, self._hovered)
 
     def explain(self) -> None:
-        """Writes the legend, in the user's units."""
+        """Write the legend, in the user's units."""
         self._tell()
-        self._aged = self._ages()
-        one, notes = self.field(), []
+        field, notes = self.field(), []
         if self._iterating:
             notes.append(translate("CurveUps_Overlay", "present state of the solver"))
-        elif self.scene is not None and (one is not None or self.age(one)):
-            notes.append(picture.origin_of(one, self.scene))
-        if self.age(one):
-            notes.append(self.age(one))
+        elif self.scene is not None and (field is not None or self.age(field)):
+            notes.append(picture.origin_of(field, self.scene))
+        if self.age(field):
+            notes.append(self.age(field))
         if self.note:
             notes.append(translate("CurveUps_Overlay", "not the present state: {why}", why=self.note))
-        marks = tuple((field.mark, f"{translate('CurveUps_Fields', field.problem)}: {len(field.problems)}")
-                      for field in self._problems())
-        if one is None:
+        marks = tuple((marked.mark, f"{translate('CurveUps_Fields', marked.problem)}: {len(marked.problems)}")
+                      for marked in self._problems())
+        if field is None:
             title = self.object.Label
             self._show_legend(Content(title, has_bar=False, notes=tuple(notes), marks=marks)
                               if notes or marks else None)
             return
         low, high = self.range()
-        self._show_legend(Content(translate("CurveUps_Fields", one.name), one.unit, self._colour_map(one),
-                                  low, high, True, bool(self.age(one)), tuple(notes), marks))
+        self._show_legend(Content(translate("CurveUps_Fields", field.name), field.unit,
+                                  self._colour_map(field), low, high, True, bool(self.age(field)),
+                                  tuple(notes), marks))
 
     def _show_legend(self, content: Optional[Content]) -> None:
         self.legend.show(content)
         self._arrange_legends()
 
     def _arrange_legends(self) -> None:
-        """All designs of a document have theirs in the same views."""
-        arrange({one.object.Label: one.legend for one in overlays(self._document)
-                 if one.legend.content is not None and one.visible()})
+        """Arrange the legends of all designs of the document, which share its views."""
+        arrange({overlay.object.Label: overlay.legend for overlay in overlays(self._document)
+                 if overlay.legend.content is not None and overlay.visible()})
 
     def visible(self) -> bool:
-        """Whether it is shown in its views."""
+        """True where it is shown in its views."""
         try:
             return not self.closed and bool(self._view.Visibility)
         except ReferenceError:  # the design is going

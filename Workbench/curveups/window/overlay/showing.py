@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What of a design is shown: the overlay flat or actuated, or its solids. For commands, macros, scripts."""
+"""Display of a design: the overlay flat or actuated, or its solids. For commands, macros, scripts."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ _MOST_FOLDED = 4000                 # tiles; more are put there at once
 
 
 def show_flat(design: Any) -> None:
-    """The tiles as they are printed."""
+    """Show the tiles as they are printed."""
     _show_overlay(design, 0.0)
 
 
 def show_actuated(design: Any) -> None:
-    """The tiles in the target shape."""
+    """Show the tiles in the target shape."""
     _show_overlay(design, 1.0)
 
 
 def show_solids(design: Any) -> None:
-    """The bodies of the print instead of the overlay. Raises CurveUpsError where there are none."""
+    """Show the bodies of the print instead of the overlay. Raises CurveUpsError where there are none."""
     tiles = design.Tiles
     if tiles is None or not tiles.Shape.Solids:
         raise CurveUpsError(translate("CurveUps_ShowSolids", "there are no solids yet"), design.Label,
@@ -53,7 +53,7 @@ def _colour(view: Any, rgb: tuple) -> None:
 
 
 def uncover(design: Any) -> bool:
-    """Shows the overlay, with one figure, and nothing that lies upon it. Whether that changed anything."""
+    """Show the overlay, with one figure, and nothing that lies upon it. True where that changed anything."""
     parts = [getattr(design, slot, None) for slot in (*_BODIES, "Target")]
     wanted = [(part.ViewObject, "Visibility", False) for part in parts if part is not None]
     wanted += [(design.ViewObject, "Visibility", True), (design.ViewObject, "Both", False)]
@@ -75,7 +75,7 @@ def _show_overlay(design: Any, t: float) -> None:
 
 
 class _Fold(QtCore.QObject):
-    """Moves an overlay's tiles there in a moment that the eye can follow. Another one ends it."""
+    """Animation that folds an overlay's tiles. Another one ends it."""
 
     def __init__(self, overlay: Any, t: float):
         super().__init__(FreeCADGui.getMainWindow())

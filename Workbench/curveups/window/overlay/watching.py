@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Follows FreeCAD: selection for tiles that light up, documents for overlays that go."""
+"""Observers of FreeCAD for overlays: selection of tiles, deleted documents, the unit schema."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ unit_observers: list[Callable[[], None]] = []  # called when the unit schema has
 
 
 def start() -> None:
-    """Once a session."""
+    """Observe FreeCAD, once a session."""
     global _started
     if _started is None:
         _started = (_Selection(), _Documents(), _Units())
@@ -30,16 +30,16 @@ def start() -> None:
 
 
 def tile_in(element: str) -> int:
-    """The tile that the name of a sub-element ends with; -1 where it is none."""
-    found = _TILE.search(element)
-    return int(found[1]) - 1 if found else -1
+    """Tile that the name of a sub-element ends with; -1 for other names."""
+    match = _TILE.search(element)
+    return int(match[1]) - 1 if match else -1
 
 
 def selected_tiles(design: Any) -> list[int]:
-    """Tiles of a Design that are selected, in the order they were."""
-    for one in FreeCADGui.Selection.getSelectionEx(design.Document.Name):
-        if one.ObjectName == design.Name:
-            return [tile for tile in map(tile_in, one.SubElementNames) if tile >= 0]
+    """Tiles of a Design that are selected, in the order of their selection."""
+    for selected in FreeCADGui.Selection.getSelectionEx(design.Document.Name):
+        if selected.ObjectName == design.Name:
+            return [tile for tile in map(tile_in, selected.SubElementNames) if tile >= 0]
     return []
 
 
