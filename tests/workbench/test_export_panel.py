@@ -63,7 +63,7 @@ def lingering(late):
 @pytest.mark.all
 @pytest.mark.parametrize("end", ["cancel", "close"])
 def test_an_export_that_is_cut_off_leaves_no_report(dome_document, tmp_path, pictures, monkeypatch, end):
-    """By Cancel, or as its document is closed: no new file stands beside a report of others."""
+    """Cancel, or closing the document, leaves no new file beside a report of others."""
     document, design = opened(dome_document)
     press("CurveUps_Export")
     form = widget("ExportPanel")
@@ -107,7 +107,7 @@ def quit_in_mid_export(path, folder, left):
 
 @pytest.mark.all
 def test_FreeCAD_can_be_quit_in_mid_export(elsewhere, dome_document, tmp_path):
-    """By itself, to its very end: no thread is left, and no file beside a report of others."""
+    """FreeCAD ends by itself: no thread is left, and no file beside a report of others."""
     folder, left = tmp_path / "prints", tmp_path / "left"
     folder.mkdir()
     (folder / "report.json").write_text(json.dumps({"name": "Design", "valid": True}))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the commands record as a macro does the same in a FreeCAD without a window."""
+"""Macros that commands record do the same in a FreeCAD without a window."""
 
 import inspect
 import json
@@ -23,7 +23,7 @@ pytestmark = [pytest.mark.freecad(window=True, timeout=600), pytest.mark.all]
 
 
 def recording(start):
-    """By the menu Macro; start: whether it starts or ends."""
+    """Start or end the recording of a macro by the menu."""
     if not start:
         stop = entry_of("Std_MacroStopRecord", "Std_DlgMacroRecord")
         return choose(lambda: menu_bar("Macro"), stop)
@@ -36,7 +36,7 @@ def recording(start):
 
 
 def state_of(document):
-    """What a design has been made of."""
+    """Results of a design."""
     design = document.Design
     return [list(map(str, design.Layout.Poses)), sorted(map(str, design.Cuts.Edges)), design.Verdict,
             {name: str(getattr(design, name)) for name in ("L", "HBody", "Tau", "TileCount")},
@@ -44,16 +44,16 @@ def state_of(document):
 
 
 def designs_in(document):
-    """What designs of own surfaces have been given. A shape that was saved has other last digits."""
-    found = [obj for obj in document.Objects if "CurveUpsVersion" in obj.PropertiesList]
+    """Values of designs of own surfaces. A shape that was saved has other last digits."""
+    designs = [obj for obj in document.Objects if "CurveUpsVersion" in obj.PropertiesList]
     names = "L", "HBody", "HPin", "Gravity", "HeldTiles", "Faces", "TileCount"
     return [[design.Name, design.Target.File, design.Target.Source and design.Target.Source.Name,
              [round(number, 6) for number in design.Layout.Poses],
-             {name: str(getattr(design, name)) for name in names}] for design in found]
+             {name: str(getattr(design, name)) for name in names}] for design in designs]
 
 
 def replayed(macro, folder, state=state_of, beginning=None):
-    """What comes of it in a FreeCAD without a window. beginning: the document that was open before."""
+    """State after a macro in a FreeCAD without a window. beginning: the document that was open before."""
     script, out = folder / "replay.py", folder / "replayed.json"
     script.write_text("import json, runpy, FreeCAD\n" + inspect.getsource(state) + textwrap.dedent(f"""
         if {beginning and str(beginning)!r}:

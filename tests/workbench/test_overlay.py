@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The overlay in FreeCAD's window: its pictures, what the mouse does on it, and what outlives a document."""
+"""The overlay in FreeCAD's window: its pictures, the mouse on it, and choices that outlive a document."""
 
 import dataclasses
 import gc
@@ -57,7 +57,7 @@ def pixel_of(view, point):
 
 
 def picture_of(view, pictures, name):
-    """Of the view, in its own pixels."""
+    """Picture of the view, in its own pixels."""
     path = str(pictures / f"{name}.png")
     view.saveImage(path, *size(view), "White")
     image = QtGui.QImage(path)
@@ -416,7 +416,7 @@ def test_solids_and_membranes_come_when_they_are_asked_for(dome_document, monkey
 
 
 def test_it_goes_with_its_document(dome_document):
-    """It goes at once, not when Python collects garbage in the middle of a run."""
+    """The overlay goes at once, not when Python collects garbage in the middle of a run."""
     document, *_, overlay = opened(dome_document)
     seen = weakref.ref(overlay)
     del _, overlay

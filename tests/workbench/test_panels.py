@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What panels and legends follow besides the design: other designs, the unit schema, scripts; FreeCAD that is
-quit in mid-run."""
+"""Panels and legends follow other designs, the unit schema and scripts; FreeCAD is quit in mid-run."""
 
 import FreeCAD
 import FreeCADGui
@@ -12,8 +11,8 @@ from curveups.features.live import stored
 from curveups.window.notice import shown
 from curveups.window.overlay import legend
 from curveups.window.overlays import overlay_of
-from curveups.window.panels.panel import show
-from curveups.window.panels.solve import SolvePanel
+from curveups.window.panel import show
+from curveups.window.solve import SolvePanel
 from robot import click, click_item, cut_off, picture, QtGui, settle, tidy, until, widget
 from steps import enter, in_units, LIVE, opened, quit_freecad
 
@@ -102,7 +101,7 @@ def quit_in_mid_run(pictures, left):
 
 @pytest.mark.all
 def test_FreeCAD_can_be_quit_in_mid_run(elsewhere, tmp_path):
-    """By itself, to its very end, with no thread left in the solver."""
+    """FreeCAD ends by itself, with no thread left in the solver."""
     left = tmp_path / "left"
     elsewhere(quit_in_mid_run, tmp_path / "pictures", left, window=True, ends=True)
     assert left.read_text("utf-8") == "[0] False False"

@@ -13,9 +13,9 @@ from ...features import status
 from ...features.proxy import design_of
 from .. import commands
 from ..notice import errors_shown
-from ..panels.panel import show
-from ..panels.solve import SolvePanel
+from ..panel import show
 from ..qt import RESOURCES, QtCore, QtGui
+from ..solve import SolvePanel
 
 _SIZE = 64
 # Drawn in a square of 1: polylines, closed and filled on a disc of the colour.
