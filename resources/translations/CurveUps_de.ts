@@ -12,12 +12,16 @@
       <translation>Abbrechen</translation>
     </message>
     <message>
+      <source>Compute how a piece of the present design rises from flat</source>
+      <translation>Berechnen, wie ein Stück des jetzigen Entwurfs aus der Ebene aufsteigt</translation>
+    </message>
+    <message>
       <source>Compute the Path</source>
       <translation>Weg berechnen</translation>
     </message>
     <message>
-      <source>End now and keep what there is so far</source>
-      <translation>Jetzt beenden und behalten, was es bis dahin gibt</translation>
+      <source>End now and keep the results so far</source>
+      <translation>Jetzt beenden und die Ergebnisse bis dahin behalten</translation>
     </message>
     <message>
       <source>End now and leave the design unchanged</source>
@@ -32,10 +36,6 @@
       <translation>Flach</translation>
     </message>
     <message>
-      <source>Let the piece rise from flat, as the design is now</source>
-      <translation>Das Stück aus der Ebene aufsteigen lassen, wie der Entwurf jetzt ist</translation>
-    </message>
-    <message>
       <source>Move the tiles along the path</source>
       <translation>Die Kacheln auf ihrem Weg bewegen</translation>
     </message>
@@ -48,7 +48,7 @@
       <translation>Abspielen</translation>
     </message>
     <message>
-      <source>Play the path from flat to where it ends</source>
+      <source>Play the path from flat to its end</source>
       <translation>Den Weg vom flachen Zustand bis zu seinem Ende abspielen</translation>
     </message>
     <message>
@@ -503,8 +503,8 @@
       <translation>Während des Lösens</translation>
     </message>
     <message>
-      <source>{name} is the design's, {body} what the file holds</source>
-      <translation>{name} ist der des Entwurfs, {body} das, was die Datei enthält</translation>
+      <source>{name} stands for the design, {body} for what the file holds</source>
+      <translation>{name} steht für den Entwurf, {body} für den Inhalt der Datei</translation>
     </message>
   </context>
   <context>
@@ -4811,8 +4811,8 @@
       <translation>Bausatz</translation>
     </message>
     <message>
-      <source>Name the print files: {name} stands for the design, {body} for what the file holds; {material}, {thickness} and {quantity} are what some shops ask for</source>
-      <translation>Die Druckdateien benennen: {name} steht für den Entwurf, {body} für den Inhalt der Datei; {material}, {thickness} und {quantity} verlangen manche Druckereien</translation>
+      <source>Name the print files: {name} stands for the design, {body} for what the file holds. Some shops ask for {material}, {thickness} and {quantity}</source>
+      <translation>Die Druckdateien benennen: {name} steht für den Entwurf, {body} für den Inhalt der Datei. Manche Druckereien verlangen {material}, {thickness} und {quantity}</translation>
     </message>
     <message>
       <source>Names</source>
@@ -4965,10 +4965,6 @@
       <translation>Von</translation>
     </message>
     <message>
-      <source>How far each value may be off, all others as they are, until the shape or the glue does not hold; ≤ and ≥: nothing failed as far as was searched. Click an end to select the tiles that fail first beyond it</source>
-      <translation>Wie weit jeder Wert abweichen darf, alle anderen wie sie sind, bis die Form oder der Kleber nicht hält; ≤ und ≥: so weit gesucht wurde, versagte nichts. Klicken Sie auf ein Ende, um die Kacheln auszuwählen, die jenseits davon zuerst versagen</translation>
-    </message>
-    <message>
       <source>Lay the tiles out flat, verify that the membranes hold the shape, and repair weak contacts</source>
       <translation>Die Kacheln flach auslegen, prüfen, ob die Membranen die Form halten, und schwache Kontakte reparieren</translation>
     </message>
@@ -4989,6 +4985,10 @@
       <translation>Profil des Druckers</translation>
     </message>
     <message>
+      <source>Read how far each value alone may be off while shape and glue hold. ≤ and ≥ mean that nothing failed in the range that was searched. Click an end to select the tiles that fail first beyond it</source>
+      <translation>Ablesen, wie weit jeder Wert für sich abweichen darf, während Form und Kleber halten. ≤ und ≥ heißen, dass im durchsuchten Bereich nichts versagte. Ein Klick auf ein Ende wählt die Kacheln aus, die jenseits davon zuerst versagen</translation>
+    </message>
+    <message>
       <source>Repair</source>
       <translation>Reparieren</translation>
     </message>
@@ -5001,8 +5001,8 @@
       <translation>Die Parameter setzen, die zu einer Art von Drucker passen (ein Schritt beim Rückgängigmachen)</translation>
     </message>
     <message>
-      <source>Show those that are seldom needed, too</source>
-      <translation>Auch die zeigen, die man selten braucht</translation>
+      <source>Show parameters that are seldom needed, too</source>
+      <translation>Auch Parameter zeigen, die man selten braucht</translation>
     </message>
     <message>
       <source>Solve</source>

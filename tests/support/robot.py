@@ -223,63 +223,53 @@ def widget(name, seconds=10):
 
 def in_dialog(start, work):
     """Call work() in the modal dialog that start() opens. work() closes it."""
-    wrong, timer = [], QtCore.QTimer()
+    _while_open(QtGui.QApplication.activeModalWidget, start, work, "a dialog")
+    until(lambda: QtGui.QApplication.activeModalWidget() is None, 30, "the dialog to close")
+
+
+def choose(start, *texts):
+    """Click entries that begin with these texts in the menu that start() opens, those of a submenu last."""
+
+    def menu():
+        popup = QtGui.QApplication.activePopupWidget()
+        return popup if isinstance(popup, QtGui.QMenu) else None
+
+    def work():
+        for text in texts:
+            opened = until(menu, 3, f"the menu with {text}")
+            entries = {entry.text().replace("&", ""): entry for entry in opened.actions()}
+            entry = next((entry for name, entry in entries.items() if name.startswith(text)), None)
+            assert entry is not None and entry.isEnabled(), (text, list(entries))
+            click_at(opened.mapToGlobal(opened.actionGeometry(entry).center()))
+
+    _while_open(menu, start, work, "a menu")
+    settle(100)
+
+
+def _while_open(opened, start, work, what):
+    """Call work() once opened() is there, in the event loop of what start() opens. It is closed after a
+    failure, which is raised in the end."""
+    errors: list[BaseException] = []
+    timer = QtCore.QTimer()
 
     def look():
-        if QtGui.QApplication.activeModalWidget() is None:
+        if not opened():
             return
         timer.stop()
         try:
             settle(300)
             work()
         except BaseException as error:
-            wrong.append(error)
-            QtGui.QApplication.activeModalWidget().close()
+            errors.append(error)
+            while opened():
+                opened().close()
 
     timer.timeout.connect(look)
     timer.start(50)
     start()
-    until(lambda: not timer.isActive() and QtGui.QApplication.activeModalWidget() is None, 30, "a dialog")
-    if wrong:
-        raise wrong[0]
-
-
-def choose(start, *texts):
-    """Click entries that begin with these texts in the menu that start() opens, those of a submenu last. The
-    menu then must not come back."""
-    wrong: list[BaseException] = []
-    done: list[bool] = []
-    timer = QtCore.QTimer()
-
-    def look():
-        if not isinstance(QtGui.QApplication.activePopupWidget(), QtGui.QMenu):
-            return
-        timer.stop()
-        try:
-            assert not done, "the menu came back"
-            settle(200)
-            for text in texts:
-                menu = until(QtGui.QApplication.activePopupWidget, 3, f"the menu with {text}")
-                names = [one.text().replace("&", "") for one in menu.actions()]
-                entry = next((one for one, name in zip(menu.actions(), names) if name.startswith(text)), None)
-                assert entry is not None and entry.isEnabled(), (text, names)
-                click_at(menu.mapToGlobal(menu.actionGeometry(entry).center()))
-            if QtGui.QApplication.activePopupWidget() is None:
-                timer.start(50)
-        except BaseException as error:
-            wrong.append(error)
-            while QtGui.QApplication.activePopupWidget():
-                QtGui.QApplication.activePopupWidget().close()
-        done.append(True)
-
-    timer.timeout.connect(look)
-    timer.start(50)
-    start()
-    until(lambda: done, 30, "a menu")
-    settle(100)
-    timer.stop()
-    if wrong:
-        raise wrong[0]
+    until(lambda: not timer.isActive(), 30, what)
+    if errors:
+        raise errors[0]
 
 
 def menu_bar(title):

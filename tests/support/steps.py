@@ -139,7 +139,3 @@ def click_edge(design, x, y):
     display("click", 1)
     settle(400)
     return pair
-
-
-__all__ = ["ENGLISH", "LIVE", "begin", "click_edge", "edge_at", "enter", "example", "in_units", "move_to",
-           "opened", "panel", "point_in"]

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from html import escape
 from textwrap import fill
-from typing import Any, Mapping, Optional
+from typing import Any, Optional
 
 import FreeCAD
 
@@ -49,7 +49,8 @@ class CheckPanel(Panel):
         self.reasons.update(check=lambda: runs.reason("check", design),
                             sizes=lambda: LIVE.obstacle() or self._out_of_date())
         form.margins.itemSelectionChanged.connect(lambda: self._show_margin())
-        form.obstacles.itemSelectionChanged.connect(lambda: self._go())
+        form.obstacles.itemSelectionChanged.connect(lambda: self.go_to(
+            [item.data(0, QtCore.Qt.UserRole) for item in form.obstacles.selectedItems()]))
         self.follow()
         self._overlay.show_target(True)
         if self._out_of_date():
@@ -118,11 +119,11 @@ class CheckPanel(Panel):
         put(form.advice, "\n".join(shown(finding, False) for finding in report.advice(results))
             if known else "")
         for name, button in (("L", form.use_length), ("H_body", form.use_thickness)):
-            sizes = sizes_to_use(name, results)
-            button.setVisible(bool(sizes))
-            button.setText(translate("CurveUps_Check", "Use {sizes}", sizes=", ".join(
-                f"{properties.property_name(name)} = {properties.shown(parameter(name), value)}"
-                for name, value in sizes.items())))
+            size = _size_to_use(name, results)
+            button.setVisible(size is not None)
+            if size is not None:
+                text = f"{properties.property_name(name)} = {properties.shown(parameter(name), size)}"
+                button.setText(translate("CurveUps_Check", "Use {sizes}", sizes=text))
 
     def _fill_margins(self, results: Results) -> None:
         tree = self.form.margins
@@ -157,28 +158,16 @@ class CheckPanel(Panel):
             if name in self._overlay.fields():
                 self._overlay.set_field(name)
             if tile:
-                self._look_at([int(tile[1:]) - 1])
-
-    def _go(self) -> None:
-        tiles = [item.data(0, QtCore.Qt.UserRole) for item in self.form.obstacles.selectedItems()]
-        if tiles:
-            self._look_at(tiles)
-
-    def _look_at(self, tiles: list[int]) -> None:
-        scene = self._overlay.scene
-        if scene is not None and max(tiles) < len(scene.F):
-            self._overlay.select_tiles(tiles)
-            self._overlay.look_at(tiles)
+                self.go_to([int(tile[1:]) - 1])
 
     def _use(self, name: str) -> None:
         """Set the size that its button offers, as one step of undo, and check it."""
-        values = sizes_to_use(name, self._results) if self._results is not None else {}
-        names = ", ".join(map(properties.property_name, values))
+        size, shown_name = _size_to_use(name, self._results), properties.property_name(name)
         with errors_shown(translate("CurveUps_Check", "Check")):
-            actions.refuse_bound(self.design, tuple(values))
-            with transaction(self.design.Document, translate("CurveUps_Check", "Use {name}", name=names)):
-                for name, value in values.items():
-                    assign(self.design, properties.property_name(name), value)
+            actions.refuse_bound(self.design, (name,))
+            with transaction(self.design.Document,
+                             translate("CurveUps_Check", "Use {name}", name=shown_name)):
+                assign(self.design, shown_name, size)
                 self.design.Document.recompute()
             self.check()
 
@@ -201,10 +190,9 @@ def choose_sizes(design: Any, names: tuple[str, ...], done: Any = None) -> None:
         LIVE.start(design, Task(title, actions.sizes_work(design, names), finish, told=done))
 
 
-def sizes_to_use(name: str, results: Results) -> Mapping[str, float]:
-    """The limit of L or H_body that is nearest to an infeasible value; empty if there is none."""
-    if "sizes" not in results or results["feasibility"].feasible:
-        return {}
+def _size_to_use(name: str, results: Optional[Results]) -> Optional[float]:
+    """The limit of L or H_body that is nearest to an infeasible value, if there is one."""
+    if results is None or "sizes" not in results or results["feasibility"].feasible:
+        return None
     sizes = results["sizes"]
-    value = sizes.H_body if name == "H_body" else sizes.L and sizes.L[0]
-    return {} if value is None else {name: value}
+    return sizes.H_body if name == "H_body" else sizes.L and sizes.L[0]

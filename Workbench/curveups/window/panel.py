@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from contextlib import suppress
-from typing import Any, Callable, Optional
+from typing import Any, Callable, Optional, Sequence
 
 import FreeCAD
 import FreeCADGui
@@ -78,12 +78,22 @@ def fit_columns(tree: Any, stretched: Optional[int] = None) -> None:
         header.setSectionResizeMode(stretched, QtWidgets.QHeaderView.Stretch)
 
 
+def _make_line() -> Any:
+    line = QtWidgets.QLabel()
+    line.setObjectName("line")
+    line.setWordWrap(True)
+    line.setTextFormat(QtCore.Qt.RichText)
+    line.setTextInteractionFlags(QtCore.Qt.TextBrowserInteraction)
+    line.setSizePolicy(QtWidgets.QSizePolicy.Ignored, QtWidgets.QSizePolicy.Preferred)
+    return line
+
+
 class Panel(ABC):
     """FreeCAD's task dialog for a design. `form` is its widget, and None once FreeCAD has closed it.
 
-    `reasons` says by a part of the form why that has nothing to do now: the part is then disabled. If the
-    form has them, `line` shows messages, `progress` and `doing` show how far this design's run is, and
-    `stop` and `cancel` end it."""
+    `reasons` says by a part of the form why that has nothing to do now: the part is then disabled. The form's
+    `line` at the top shows messages. If the form has them, `progress` and `doing` show how far this design's
+    run is, and `stop` and `cancel` end it."""
 
     form: Any
 
@@ -100,6 +110,8 @@ class Panel(ABC):
         self.reasons: dict[str, Callable[[], str]] = {}
         self._overlay = overlay_of(design)
         self._hidden: Any = None  # the surface, while it would cover its target
+        self.form.line = _make_line()
+        self.form.layout().insertWidget(0, self.form.line)
         for name in filter(self._has, ("line", "verdict", "doubts")):
             getattr(self.form, name).linkActivated.connect(lambda link: follow_link(link))
         ends: dict[str, Callable[[], object]] = {"stop": LIVE.stop, "cancel": LIVE.cancel}
@@ -127,9 +139,8 @@ class Panel(ABC):
         self._overlay.observers.append(self._changed)
         if self._overlay.scene is None:  # a hidden design has no scene yet
             self._overlay.refresh()
-        if self._has("line"):
-            self.say("")
-            show_in(self.say)
+        self.say("")
+        show_in(self.say)
         LIVE.observe(self._run_changed)
         self._show_run(WORKER.status(), LIVE.busy)
         self.update()
@@ -148,6 +159,13 @@ class Panel(ABC):
         """Show a line of rich text at the top."""
         if self.form is not None:
             put(self.form.line, text)
+
+    def go_to(self, tiles: Sequence[int]) -> None:
+        """Select tiles, and turn the camera to them."""
+        scene = self._overlay.scene
+        if tiles and scene is not None and max(tiles) < len(scene.F):
+            self._overlay.select_tiles(tiles)
+            self._overlay.look_at(tiles)
 
     def uncover(self) -> None:
         """Hide the surface of the target until the panel closes."""

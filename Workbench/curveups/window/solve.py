@@ -77,7 +77,9 @@ class SolvePanel(Panel):
         fit_columns(form.stages, 0)
         form.stages.setFixedHeight(8 * form.stages.fontMetrics().height())
         fit_columns(form.window, 0)
-        form.window.itemClicked.connect(self._select_failing)
+        # The tiles that fail first beyond the end that is clicked.
+        form.window.itemClicked.connect(
+            lambda item, column: self.go_to(item.data(column, QtCore.Qt.UserRole) or []))
         self._prepare_parameters()
         self.follow()
 
@@ -225,13 +227,6 @@ class SolvePanel(Panel):
                     item.setData(column, QtCore.Qt.UserRole, list(failure.tiles))
         tree.setVisible(bool(ranges))
         tree.setFixedHeight(tree.header().sizeHint().height() + len(ranges) * tree.sizeHintForRow(0) + 4)
-
-    def _select_failing(self, item: Any, column: int) -> None:
-        """Select the tiles that fail first beyond the end that was clicked."""
-        tiles = item.data(column, QtCore.Qt.UserRole)
-        if tiles:
-            self._overlay.select_tiles(tiles)
-            self._overlay.look_at(tiles)
 
     def run_changed(self, status: Status, running: bool) -> None:
         """Show a line for each stage that has begun, with its seconds."""

@@ -157,10 +157,7 @@ class WorstContactsPanel(Panel):
 
     def _go(self) -> None:
         rows = sorted({index.row() for index in self.form.rows.selectedIndexes()})
-        tiles = [tile for row in rows for tile in self._tiles[row]]
-        if tiles:
-            self._overlay.select_tiles(tiles)
-            self._overlay.look_at(tiles)
+        self.go_to([tile for row in rows for tile in self._tiles[row]])
 
 
 def _list_fields(box: Any, names: list[str], current: str) -> None:
