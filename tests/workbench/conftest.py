@@ -18,7 +18,7 @@ from sharing import shared  # noqa: E402
 
 
 def design_document(folder, *settings, rings=3):
-    """The command line's document of a dome, by default of 54 tiles."""
+    """The document that the command line makes of a dome, by default of 54 tiles."""
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "dome.obj").write_text(dome(rings))
     done = subprocess.run([PYTHON, "-m", "curveups.cli", "design", folder / "dome.obj", "-o",
@@ -30,20 +30,21 @@ def design_document(folder, *settings, rings=3):
 
 @pytest.fixture(scope="session")
 def designed():
-    """design_document, for a test that makes one of its own."""
+    """design_document itself, for a test that makes one of its own."""
     return design_document
 
 
 @pytest.fixture(scope="session")
 def dome_document():
-    """Document of a dome of 54 tiles. All tests share the file: a test saves its changes elsewhere."""
+    """Document of a dome of 54 tiles. All tests share the file: a test that changes it saves elsewhere."""
     return shared("document", design_document) / "out" / "dome.FCStd"
 
 
 @pytest.fixture
 def elsewhere(request, tmp_path_factory):
-    """Call a function of the test's file in another FreeCAD; its value, and FreeCAD's log. home: one of
-    freecad_process.HOMES. ends: FreeCAD has to end by itself afterwards."""
+    """Call a function of the test's file in another FreeCAD, and return its value and FreeCAD's output.
+    home: the parts of the workbench that it has, one of freecad_process.HOMES. ends: FreeCAD has to end by
+    itself afterwards."""
 
     def call(function, *arguments, home="workbench", window=False, ends=False, timeout=300):
         process = FreeCADProcess(tmp_path_factory.mktemp("elsewhere"), home, window)

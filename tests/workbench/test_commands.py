@@ -11,7 +11,6 @@ import Part
 import pytest
 from curveups.base.errors import CurveUpsError
 from curveups.base.findings import Finding
-from curveups.features import document as designs
 from curveups.project.worker import WORKER
 from curveups.window import new_design, qt
 from curveups.window.new_design import make_design
@@ -26,11 +25,11 @@ pytestmark = pytest.mark.freecad(window=True)
 def test_an_example_is_solved_while_one_watches(pictures):
     begin()
     FreeCADGui.runCommand("CurveUps_Example_half-sphere")
-    document = FreeCAD.ActiveDocument
-    assert document.Label == "Half-Sphere" and LIVE.busy, (document.Label, report(), panel())
-    design = document.Design
+    made = FreeCAD.ActiveDocument
+    assert made.Label == "Half-Sphere" and LIVE.busy, (made.Label, report(), panel())
+    design = made.Design
     until(lambda: panel().form.isVisible(), 5, "the panel")
-    assert designs.state_of(design)[0] == "running"
+    assert design.Status == "running"
     assert not FreeCADGui.Command.get("CurveUps_Solve").isActive()
     assert "at work" in FreeCADGui.Command.get("CurveUps_Solve").getAction()[0].statusTip()
     overlay = overlay_of(design)
@@ -44,14 +43,14 @@ def test_an_example_is_solved_while_one_watches(pictures):
     shown = [stages.topLevelItem(row).text(0) for row in range(stages.topLevelItemCount())]
     assert any("Layout" in text for text in shown), shown
     assert all(text.startswith("\u2713") for text in shown), shown
-    assert document.UndoNames[0] == "Solve", document.UndoNames
+    assert made.UndoNames[0] == "Solve", made.UndoNames
     assert "valid, holds" in panel().form.verdict.text() and design.Holds == "holds"
     # Nothing moves at rest: FreeCAD would compose its window anew for each picture.
     assert not panel().form.progress.findChildren(QtCore.QAbstractAnimation)
-    document.undo()
+    made.undo()
     settle(300)
     assert design.Verdict == "not judged" and not list(design.Layout.Poses)
-    document.redo()
+    made.redo()
     settle(300)
     assert design.Verdict == "valid" and list(design.Layout.Poses)
     panel().reject()
@@ -69,7 +68,7 @@ def test_cancel_stop_and_closing_in_mid_run(pictures):
         assert LIVE.busy
         until(lambda: WORKER.status().count >= iterates, 60, "the layout to begin")
 
-    document, design = example("tower", L=10)
+    made, design = example("tower", L=10)
     before = design.Results
     solving(design)
     click(panel().form.cancel)
@@ -88,18 +87,18 @@ def test_cancel_stop_and_closing_in_mid_run(pictures):
 
     # What was stopped is begun anew; the panel is closed meanwhile, and nothing is lost.
     design.L = 13
-    document.recompute()
+    made.recompute()
     panel().run("solve")
     panel().reject()
     settle(200)
     assert LIVE.busy and panel() is None
     at_rest()
     assert list(design.Layout.Poses) != kept
-    assert designs.state_of(design)[0] != "running"
+    assert design.Status != "running"
 
     # The document goes away while something is solved in it: FreeCAD lives on.
     solving(design, 0)
-    FreeCAD.closeDocument(document.Name)
+    FreeCAD.closeDocument(made.Name)
     settle(500)
     assert not LIVE.busy and panel() is None and not FreeCADGui.Control.activeDialog()
     again = FreeCAD.newDocument("Again")
@@ -124,34 +123,34 @@ def test_designs_of_selected_surfaces_and_their_targets(tmp_path, monkeypatch, p
         FreeCADGui.Selection.addSelection(obj)
         settle(100)
 
-    document = begin()
-    sphere = document.addObject("Part::Feature", "Cap")
+    made = begin()
+    sphere = made.addObject("Part::Feature", "Cap")
     sphere.Shape = max(Part.makeSphere(40, FreeCAD.Vector(), FreeCAD.Vector(0, 0, 1), 35).Faces,
                        key=lambda face: face.Area)
-    mesh = document.addObject("Mesh::Feature", "Facets")
+    mesh = made.addObject("Mesh::Feature", "Facets")
     mesh.Mesh = Mesh.Mesh(sphere.Shape.tessellate(0.3))
-    document.addObject("App::FeaturePython", "Nothing")
-    document.recompute()
+    made.addObject("App::FeaturePython", "Nothing")
+    made.recompute()
     assert not FreeCADGui.Command.get("CurveUps_Solve").isActive()
     assert "no design" in action("CurveUps_Solve").statusTip()
     select(sphere)
     press("CurveUps_NewDesign")
-    assert document.Design.Target.Source == sphere and document.Design.Label.startswith("Cap")
-    assert document.UndoNames[0] == "New Design"
+    assert made.Design.Target.Source == sphere and made.Design.Label.startswith("Cap")
+    assert made.UndoNames[0] == "New Design"
     select(mesh)
     press("CurveUps_NewDesign")
-    second = [obj for obj in document.Objects if obj.Name.startswith("Design")][-1]
+    second = [obj for obj in made.Objects if obj.Name.startswith("Design")][-1]
     assert second.Target.Source == mesh
     FreeCADGui.Selection.clearSelection()
     settle(500)
     assert not FreeCADGui.Command.get("CurveUps_Solve").isActive()
     assert "several" in action("CurveUps_Solve").statusTip()
-    document.undo()
+    made.undo()
     settle(200)
-    assert len([obj for obj in document.Objects if obj.Name.startswith("Design")]) == 1
-    design = document.Design
+    assert len([obj for obj in made.Objects if obj.Name.startswith("Design")]) == 1
+    design = made.Design
     design.L = 11
-    document.recompute()
+    made.recompute()
     FreeCADGui.Selection.addSelection(design)
     press("CurveUps_Solve")
     at_rest()
@@ -163,19 +162,19 @@ def test_designs_of_selected_surfaces_and_their_targets(tmp_path, monkeypatch, p
     FreeCADGui.Selection.addSelection(mesh)
     press("CurveUps_Target")
     settle(200)
-    assert design.Target.Source == mesh and designs.state_of(design)[0] == "out of date", design.Reasons
-    document.undo()
+    assert design.Target.Source == mesh and design.Status == "out of date", design.Reasons
+    made.undo()
     settle(200)
-    assert design.Target.Source == sphere and designs.state_of(design)[0] != "out of date", design.Reasons
+    assert design.Target.Source == sphere and design.Status != "out of date", design.Reasons
     # A file, by its dialog; one that is none is refused in one line, and nothing is left of it.
     FreeCADGui.Selection.clearSelection()
-    count = len(document.Objects)
+    count = len(made.Objects)
     with open(broken, "w") as file:
         file.write("nothing")
     monkeypatch.setattr(new_design, "ask_for_file", lambda title: broken)
     FreeCADGui.runCommand("CurveUps_NewDesign")
     settle(300)
-    names = len(document.Objects)
+    names = len(made.Objects)
     if names > count:  # its content is only read when it is solved
         FreeCADGui.runCommand("CurveUps_Solve")
         at_rest()
@@ -187,7 +186,7 @@ def test_designs_of_selected_surfaces_and_their_targets(tmp_path, monkeypatch, p
 def test_verify_repair_solids_report_and_export(tmp_path, monkeypatch, pictures):
     out = str(tmp_path / "print")
     saved = str(tmp_path / "saved.FCStd")
-    document, design = example(L=14)
+    made, design = example(L=14)
     FreeCADGui.runCommand("CurveUps_Solve")
     at_rest()
     assert design.Verdict == "valid", design.Reasons
@@ -197,13 +196,13 @@ def test_verify_repair_solids_report_and_export(tmp_path, monkeypatch, pictures)
     settle(200)
     enter(form, "FrictionCoefficient", "0.4")
     until(lambda: abs(design.FrictionCoefficient - 0.4) < 1e-9, 5, "the edit to arrive")
-    assert design.Verdict == "out of date" and document.UndoNames[0] == "Edit the design", document.UndoNames
+    assert design.Verdict == "out of date" and made.UndoNames[0] == "Edit the design", made.UndoNames
     assert "out of date, not settled" in form.verdict.text()
     click(form.verify)
     at_rest()
     picture("verified")
     assert "valid, holds" in form.verdict.text()
-    assert design.Verdict == "valid" and document.UndoNames[0] == "Verify", design.Reasons
+    assert design.Verdict == "valid" and made.UndoNames[0] == "Verify", design.Reasons
     click(form.repair)
     at_rest()
     assert design.Verdict == "valid" and design.TileCount
@@ -244,7 +243,7 @@ def test_verify_repair_solids_report_and_export(tmp_path, monkeypatch, pictures)
 
     pages = []
     monkeypatch.setattr(qt.QtGui.QDesktopServices, "openUrl", lambda url: pages.append(url.toLocalFile()))
-    document.saveAs(saved)
+    made.saveAs(saved)
     press("CurveUps_Report")
     at_rest()
     assert pages and pages[0].startswith(os.path.dirname(saved)) and os.path.getsize(pages[0]) > 50000, pages
@@ -255,7 +254,7 @@ def test_verify_repair_solids_report_and_export(tmp_path, monkeypatch, pictures)
 
 
 def test_errors_are_one_line_with_tiles_to_click(pictures):
-    document, design = example(L=14)
+    made, design = example(L=14)
     FreeCADGui.runCommand("CurveUps_Solve")
     at_rest()
     panel().reject()
@@ -277,7 +276,7 @@ def test_errors_are_one_line_with_tiles_to_click(pictures):
     assert "CurveUpsNotice" not in shown
     # A value that can't be is said with the range, in the panel; the run is refused.
     design.HBody = 200
-    document.recompute()
+    made.recompute()
     FreeCADGui.runCommand("CurveUps_Solve")
     settle(300)
     assert not LIVE.busy

@@ -23,7 +23,7 @@ pytestmark = [pytest.mark.freecad(window=True, timeout=600), pytest.mark.all]
 
 
 def recording(start):
-    """Start or end the recording of a macro by the menu."""
+    """Start or end a recording by the menu Macro."""
     if not start:
         stop = entry_of("Std_MacroStopRecord", "Std_DlgMacroRecord")
         return choose(lambda: menu_bar("Macro"), stop)
@@ -36,7 +36,7 @@ def recording(start):
 
 
 def state_of(document):
-    """Results of a design."""
+    """Figures of a design that its macro has to make again."""
     design = document.Design
     return [list(map(str, design.Layout.Poses)), sorted(map(str, design.Cuts.Edges)), design.Verdict,
             {name: str(getattr(design, name)) for name in ("L", "HBody", "Tau", "TileCount")},
@@ -44,7 +44,7 @@ def state_of(document):
 
 
 def designs_in(document):
-    """Values of designs of own surfaces. A shape that was saved has other last digits."""
+    """Figures of designs of own surfaces. A shape that was saved has other last digits."""
     designs = [obj for obj in document.Objects if "CurveUpsVersion" in obj.PropertiesList]
     names = "L", "HBody", "HPin", "Gravity", "HeldTiles", "Faces", "TileCount"
     return [[design.Name, design.Target.File, design.Target.Source and design.Target.Source.Name,

@@ -416,7 +416,7 @@ def test_solids_and_membranes_come_when_they_are_asked_for(dome_document, monkey
 
 
 def test_it_goes_with_its_document(dome_document):
-    """The overlay goes at once, not when Python collects garbage in the middle of a run."""
+    """A deleted overlay is freed at once, not when Python collects garbage in the middle of a run."""
     document, *_, overlay = opened(dome_document)
     seen = weakref.ref(overlay)
     del _, overlay

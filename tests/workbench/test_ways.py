@@ -16,7 +16,7 @@ pytestmark = [pytest.mark.freecad(window=True, timeout=600), pytest.mark.all]
 
 
 def entry(name):
-    """Text of a command in menus."""
+    """Name of a command in menus."""
     return qt.translate(name, FreeCADGui.Command.get(name).getInfo()["menuText"]).replace("&", "")
 
 
