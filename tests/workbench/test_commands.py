@@ -197,7 +197,7 @@ def test_verify_repair_solids_report_and_export(tmp_path, monkeypatch, pictures)
     enter(form, "FrictionCoefficient", "0.4")
     until(lambda: abs(design.FrictionCoefficient - 0.4) < 1e-9, 5, "the edit to arrive")
     assert design.Verdict == "out of date" and made.UndoNames[0] == "Edit the design", made.UndoNames
-    assert "out of date, not settled" in form.verdict.text()
+    until(lambda: "out of date, not settled" in form.verdict.text(), 5, "the verdict")
     click(form.verify)
     at_rest()
     picture("verified")
