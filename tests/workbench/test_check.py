@@ -28,8 +28,8 @@ def marked():
     for y in range(100, 740):
         for x in range(660, 1200):
             pixel = image.pixel(x, y)
-            found = (pixel >> 16 & 255, pixel >> 8 & 255, pixel & 255)
-            count += all(abs(a - b) < 12 for a, b in zip(found, wanted))
+            rgb = (pixel >> 16 & 255, pixel >> 8 & 255, pixel & 255)
+            count += all(abs(a - b) < 12 for a, b in zip(rgb, wanted))
     return count
 
 
@@ -192,8 +192,8 @@ def test_a_part_with_a_wall_is_taken_as_it_is_drawn(pictures):
     design.L = 14
     document.recompute()
     form = check()
-    found = radii(design)
-    assert min(found) > 44.9 and max(found) < 45.1, (min(found), max(found))
+    distances = radii(design)
+    assert min(distances) > 44.9 and max(distances) < 45.1, (min(distances), max(distances))
     assert "Feasible" in form.verdict.text(), form.verdict.text()
     picture("bowl-outer")
     close_panel()
@@ -219,8 +219,9 @@ def test_a_part_with_a_wall_is_taken_as_it_is_drawn(pictures):
     second.L = 14
     document.recompute()
     check()
-    found = radii(second)
-    assert len(found) > 20 and min(found) > 39.9 and max(found) < 40.1, (min(found), max(found))
+    distances = radii(second)
+    assert len(distances) > 20
+    assert min(distances) > 39.9 and max(distances) < 40.1, (min(distances), max(distances))
     close_panel()
 
 

@@ -248,8 +248,8 @@ def test_verify_repair_solids_report_and_export(tmp_path, monkeypatch, pictures)
     at_rest()
     assert pages and pages[0].startswith(os.path.dirname(saved)) and os.path.getsize(pages[0]) > 50000, pages
     assert "Traceback" not in report() and "unexpected" not in report(), report()
-    found = json.loads((tmp_path / "print" / "report.json").read_text(encoding="utf-8"))
-    assert found["valid"] is False and "HBody" in found["reasons"][0], found["reasons"]
+    written = json.loads((tmp_path / "print" / "report.json").read_text(encoding="utf-8"))
+    assert written["valid"] is False and "HBody" in written["reasons"][0], written["reasons"]
     assert "NOT VALID" in (tmp_path / "print" / "half-sphere-print.step").read_text(encoding="utf-8")[:3000]
 
 
@@ -259,15 +259,16 @@ def test_errors_are_one_line_with_tiles_to_click(pictures):
     at_rest()
     panel().reject()
     settle(200)
-    found = Finding.about("sharp_fold", (11, 43), count=2, H_body=3.0)
-    show_error(CurveUpsError(str(found), "Design, T00012, T00044", "make HBody less", finding=found), "Solve")
+    finding = Finding.about("sharp_fold", (11, 43), count=2, H_body=3.0)
+    show_error(CurveUpsError(str(finding), "Design, T00012, T00044", "make HBody less", finding=finding),
+               "Solve")
     settle(700)
     notice = widget("CurveUpsNotice")
     assert 'href="T00012"' in notice.findChild(QtGui.QLabel, "text").text()
     picture("notice")
     notice.findChild(QtGui.QLabel, "text").linkActivated.emit("T00012")
     selected = FreeCADGui.Selection.getSelectionEx()
-    assert [one.SubElementNames for one in selected] == [("T00012",)], selected
+    assert [selection.SubElementNames for selection in selected] == [("T00012",)], selected
     lines = [line for line in report().splitlines() if "back faces" in line]
     assert len(lines) == 1 and "make HBody less" in lines[0]
     click(notice.findChild(QtGui.QToolButton))

@@ -154,13 +154,13 @@ def test_cuts_are_picked_in_the_flat_view_as_in_the_actuated_one(pictures):
         overlay = overlay_of(design)
         corners, shift = overlay.figures()[beside]
         F = overlay.scene.F
-        found: dict[tuple[int, ...], list] = {}
+        places: dict[tuple[int, ...], list] = {}
         for tile in range(len(F)):
             own = corners[tile, :3] + shift
             for k in range(3):
                 pair = tuple(sorted((int(F[tile][k]), int(F[tile][(k + 1) % 3]))))
-                found.setdefault(pair, []).append(0.45 * (own[k] + own[(k + 1) % 3]) + 0.1 * own.mean(0))
-        return {pair: places for pair, places in found.items() if len(places) == 2}
+                places.setdefault(pair, []).append(0.45 * (own[k] + own[(k + 1) % 3]) + 0.1 * own.mean(0))
+        return {pair: points for pair, points in places.items() if len(points) == 2}
 
     def edge_near(inner, x, y):
         # That is nearest to a place seen from above, from the middle of the figure.

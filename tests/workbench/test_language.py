@@ -52,8 +52,8 @@ def test_german(tmp_path):
 
 def menu_texts():
     """Entries of the menu CurveUps, with the titles of menus below it."""
-    top = next(one for one in window.menuBar().actions() if one.text() == "&CurveUps")
-    return [one.text().replace("&", "") for one in menu_of(top).actions() if not one.isSeparator()]
+    top = next(entry for entry in window.menuBar().actions() if entry.text() == "&CurveUps")
+    return [entry.text().replace("&", "") for entry in menu_of(top).actions() if not entry.isSeparator()]
 
 
 @pytest.mark.all

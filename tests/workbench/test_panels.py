@@ -31,9 +31,9 @@ def test_legends_of_two_designs_stand_side_by_side(dome_document, pictures):
     other = document.copyObject(design, True)
     other.Label, other.Placement.Base = "The other", (150, 0, 0)
     tidy()
-    for one in (design, other):
-        one.Tiles.ViewObject.Visibility = one.Anchors.ViewObject.Visibility = False
-        one.ViewObject.Visibility = True
+    for obj in (design, other):
+        obj.Tiles.ViewObject.Visibility = obj.Anchors.ViewObject.Visibility = False
+        obj.ViewObject.Visibility = True
     settle(500)
     left, right = first.legend, overlay_of(other).legend
     assert left.content is not None and right.content is not None
@@ -153,18 +153,18 @@ def test_the_process_window_is_shown_until_the_design_changes(german, dome_docum
     assert not rows.isVisible()
     click(panel.form.verify)
     until(lambda: rows.isVisible() and not LIVE.busy, 120, "the process window")
-    report = {one.parameter: one for one in stored(design).latest("settle").window}
+    report = {row.parameter: row for row in stored(design).latest("settle").window}
     assert rows.topLevelItemCount() == len(report)
-    for number, one in enumerate(report.values()):
+    for number, row in enumerate(report.values()):
         item = rows.topLevelItem(number)
-        for column, (end, failure) in enumerate(zip(one.ends, one.failures), 1):
-            assert (item.text(column)[0] in "≤≥") == (end is None) == (item.toolTip(column) == ""), one
+        for column, (end, failure) in enumerate(zip(row.ends, row.failures), 1):
+            assert (item.text(column)[0] in "≤≥") == (end is None) == (item.toolTip(column) == ""), row
     assert cut_off(panel.form) == []
     picture("window")
 
     # A click on an end shows what fails first beyond it.
-    number, column, failure = next((number, column, failure) for number, one in enumerate(report.values())
-                                   for column, failure in enumerate(one.failures, 1)
+    number, column, failure = next((number, column, failure) for number, row in enumerate(report.values())
+                                   for column, failure in enumerate(row.failures, 1)
                                    if failure and failure.tiles)
     click_item(rows, rows.topLevelItem(number), column)
     until(lambda: overlay_of(design).selected == sorted(failure.tiles), 10, "the tiles that fail first")
