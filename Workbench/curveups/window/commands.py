@@ -37,8 +37,8 @@ Reason = Callable[[Any], str]     # why nothing can be done with it now; empty i
 
 @dataclass(frozen=True)
 class Command:
-    """A command as FreeCAD sees it. FreeCAD translates its texts in the context of its name. `reasons` are
-    sentences without a full stop, asked for several times a second; the first that is not empty counts."""
+    """A command as FreeCAD sees it. FreeCAD translates its texts in the context of its name. `reasons` give
+    sentences without a full stop; the first that is not empty counts. FreeCAD asks several times a second."""
 
     name: str
     text: str
