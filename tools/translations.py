@@ -55,6 +55,9 @@ def texts_of_python(source: str) -> Iterator[Text]:
                 yield str(values[0]), str(values[1])
             elif ast.unparse(node.func) in SAYING and values:
                 yield SHEETS, " ".join(str(values[0]).split())
+            elif marker == "Command":  # of the window's table: its name, text and tooltip
+                values = [argument.value for argument in node.args[:3] if isinstance(argument, ast.Constant)]
+                yield from ((str(values[0]), str(text)) for text in values[1:])
             elif marker == "Stage":
                 yield from (("CurveUpsSolve", word.value.value) for word in node.keywords
                             if word.arg == "label" and isinstance(word.value, ast.Constant))

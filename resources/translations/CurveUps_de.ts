@@ -12,12 +12,16 @@
       <translation>Abbrechen</translation>
     </message>
     <message>
+      <source>Compute how a piece of the present design rises from flat</source>
+      <translation>Berechnen, wie ein Stück des jetzigen Entwurfs aus der Ebene aufsteigt</translation>
+    </message>
+    <message>
       <source>Compute the Path</source>
       <translation>Weg berechnen</translation>
     </message>
     <message>
-      <source>End now and keep what there is so far</source>
-      <translation>Jetzt beenden und behalten, was es bis dahin gibt</translation>
+      <source>End now and keep the results so far</source>
+      <translation>Jetzt beenden und die Ergebnisse bis dahin behalten</translation>
     </message>
     <message>
       <source>End now and leave the design unchanged</source>
@@ -32,10 +36,6 @@
       <translation>Flach</translation>
     </message>
     <message>
-      <source>Let the piece rise from flat, as the design is now</source>
-      <translation>Das Stück aus der Ebene aufsteigen lassen, wie der Entwurf jetzt ist</translation>
-    </message>
-    <message>
       <source>Move the tiles along the path</source>
       <translation>Die Kacheln auf ihrem Weg bewegen</translation>
     </message>
@@ -48,7 +48,7 @@
       <translation>Abspielen</translation>
     </message>
     <message>
-      <source>Play the path from flat to where it ends</source>
+      <source>Play the path from flat to its end</source>
       <translation>Den Weg vom flachen Zustand bis zu seinem Ende abspielen</translation>
     </message>
     <message>
@@ -270,6 +270,10 @@
   <context>
     <name>CheckPanel</name>
     <message>
+      <source>Below</source>
+      <translation>Darunter</translation>
+    </message>
+    <message>
       <source>Cancel</source>
       <translation>Abbrechen</translation>
     </message>
@@ -302,6 +306,14 @@
       <translation>Herausfinden, welche Teile der Zielfläche Kacheln werden können</translation>
     </message>
     <message>
+      <source>Needed</source>
+      <translation>Nötig</translation>
+    </message>
+    <message>
+      <source>Obstacles</source>
+      <translation>Hindernisse</translation>
+    </message>
+    <message>
       <source>Read why tiles can't be made or are likely to fail. Click an entry to go there</source>
       <translation>Lesen, warum sich Kacheln nicht machen lassen oder wohl nicht halten. Ein Klick auf einen Eintrag führt hin</translation>
     </message>
@@ -320,6 +332,14 @@
     <message>
       <source>Solve with a few lengths and thicknesses, the largest first, until a design is valid and its tiles stay within MaximumDeviation of the surface</source>
       <translation>Mit wenigen Längen und Dicken lösen, die größten zuerst, bis ein Entwurf gültig ist und seine Kacheln innerhalb von MaximumDeviation an der Fläche bleiben</translation>
+    </message>
+    <message>
+      <source>Tile</source>
+      <translation>Kachel</translation>
+    </message>
+    <message>
+      <source>Worst</source>
+      <translation>Wert</translation>
     </message>
   </context>
   <context>
@@ -388,10 +408,6 @@
       <translation>Exportieren</translation>
     </message>
     <message>
-      <source>Export {name}</source>
-      <translation>{name} exportieren</translation>
-    </message>
-    <message>
       <source>Folder for the files</source>
       <translation>Ordner für die Dateien</translation>
     </message>
@@ -400,8 +416,8 @@
       <translation>Stützkörper</translation>
     </message>
     <message>
-      <source>The design is doubtful: insist on its files</source>
-      <translation>Der Entwurf ist zweifelhaft: bestehen Sie auf den Dateien</translation>
+      <source>This design has problems. Tick 'Write them anyway' to export its files</source>
+      <translation>Dieser Entwurf hat Mängel. „Trotzdem schreiben“ ankreuzen, um seine Dateien zu exportieren</translation>
     </message>
     <message>
       <source>Tiles</source>
@@ -487,8 +503,8 @@
       <translation>Während des Lösens</translation>
     </message>
     <message>
-      <source>{name} is the design's, {body} what the file holds</source>
-      <translation>{name} ist der des Entwurfs, {body} das, was die Datei enthält</translation>
+      <source>{name} stands for the design, {body} for what the file holds</source>
+      <translation>{name} steht für den Entwurf, {body} für den Inhalt der Datei</translation>
     </message>
   </context>
   <context>
@@ -733,10 +749,6 @@
       <translation>Bild {number} von {count}, {load}: {energy} gespeichert</translation>
     </message>
     <message>
-      <source>Path of {name}</source>
-      <translation>Weg von {name}</translation>
-    </message>
-    <message>
       <source>Pause</source>
       <translation>Pause</translation>
     </message>
@@ -787,16 +799,8 @@
   <context>
     <name>CurveUps_Check</name>
     <message>
-      <source>Below</source>
-      <translation>Darunter</translation>
-    </message>
-    <message>
       <source>Check</source>
       <translation>Machbarkeit</translation>
-    </message>
-    <message>
-      <source>Check of {name}</source>
-      <translation>Machbarkeit von {name}</translation>
     </message>
     <message>
       <source>Choose Sizes</source>
@@ -815,24 +819,12 @@
       <translation>Vor dem Lösen herausfinden, welche Teile der Zielfläche Kacheln werden können</translation>
     </message>
     <message>
-      <source>Needed</source>
-      <translation>Nötig</translation>
-    </message>
-    <message>
       <source>Not feasible</source>
       <translation>Nicht machbar</translation>
     </message>
     <message>
-      <source>Obstacles</source>
-      <translation>Hindernisse</translation>
-    </message>
-    <message>
       <source>Out of date: check again</source>
       <translation>Veraltet: bitte erneut ermitteln</translation>
-    </message>
-    <message>
-      <source>Tile</source>
-      <translation>Kachel</translation>
     </message>
     <message>
       <source>Use {name}</source>
@@ -841,10 +833,6 @@
     <message>
       <source>Use {sizes}</source>
       <translation>{sizes} setzen</translation>
-    </message>
-    <message>
-      <source>Worst</source>
-      <translation>Wert</translation>
     </message>
     <message>
       <source>and {count} more</source>
@@ -885,10 +873,6 @@
       <translation>Schnitte</translation>
     </message>
     <message>
-      <source>Cuts of {name}</source>
-      <translation>Schnitte von {name}</translation>
-    </message>
-    <message>
       <source>Found no cut that is worth making</source>
       <translation>Kein Schnitt gefunden, der sich lohnt</translation>
     </message>
@@ -917,8 +901,8 @@
       <translation>Schnitt zurücknehmen</translation>
     </message>
     <message>
-      <source>The next click begins a new cut as it is</source>
-      <translation>Der nächste Klick beginnt ohnehin einen neuen Schnitt</translation>
+      <source>The next click already starts a new cut</source>
+      <translation>Der nächste Klick beginnt schon einen neuen Schnitt</translation>
     </message>
     <message>
       <source>The rim is open already: click an edge inside</source>
@@ -935,17 +919,6 @@
     <message>
       <source>the layout is of another target</source>
       <translation>die Abwicklung gehört zu einer anderen Zielfläche</translation>
-    </message>
-  </context>
-  <context>
-    <name>CurveUps_Examples</name>
-    <message>
-      <source>Examples</source>
-      <translation>Beispiele</translation>
-    </message>
-    <message>
-      <source>Open a new document with a built-in target, and watch its design being solved</source>
-      <translation>Ein neues Dokument mit einer eingebauten Zielfläche öffnen und zusehen, wie ihr Entwurf gelöst wird</translation>
     </message>
   </context>
   <context>
@@ -3723,10 +3696,6 @@
       <translation>Bausatz</translation>
     </message>
     <message>
-      <source>Kit of {name}</source>
-      <translation>Bausatz von {name}</translation>
-    </message>
-    <message>
       <source>Write the order for the print shop, templates for the latex and the steps of assembly</source>
       <translation>Die Bestellung für die Druckerei, Schablonen für das Latex und die Schritte des Zusammenbaus schreiben</translation>
     </message>
@@ -3794,10 +3763,6 @@
     <message>
       <source>Overlay</source>
       <translation>Überlagerung</translation>
-    </message>
-    <message>
-      <source>Overlay of {name}</source>
-      <translation>Überlagerung von {name}</translation>
     </message>
     <message>
       <source>Side by side shows both ends</source>
@@ -4689,20 +4654,8 @@
       <translation>Kontakte und Kacheln auflisten, die schlechtesten zuerst. Ein Klick führt hin</translation>
     </message>
     <message>
-      <source>Tiles</source>
-      <translation>Kacheln</translation>
-    </message>
-    <message>
-      <source>Value</source>
-      <translation>Wert</translation>
-    </message>
-    <message>
       <source>Worst Contacts</source>
       <translation>Schlechteste Kontakte</translation>
-    </message>
-    <message>
-      <source>Worst of {name}</source>
-      <translation>Schlechteste von {name}</translation>
     </message>
     <message>
       <source>with problems: {count}</source>
@@ -4858,8 +4811,8 @@
       <translation>Bausatz</translation>
     </message>
     <message>
-      <source>Name the print files: {name} stands for the design, {body} for what the file holds; {material}, {thickness} and {quantity} are what some shops ask for</source>
-      <translation>Die Druckdateien benennen: {name} steht für den Entwurf, {body} für den Inhalt der Datei; {material}, {thickness} und {quantity} verlangen manche Druckereien</translation>
+      <source>Name the print files: {name} stands for the design, {body} for what the file holds. Some shops ask for {material}, {thickness} and {quantity}</source>
+      <translation>Die Druckdateien benennen: {name} steht für den Entwurf, {body} für den Inhalt der Datei. Manche Druckereien verlangen {material}, {thickness} und {quantity}</translation>
     </message>
     <message>
       <source>Names</source>
@@ -4929,12 +4882,12 @@
       <translation>Von</translation>
     </message>
     <message>
-      <source>Give larger values the last colour. You can also drag the upper end of the legend</source>
-      <translation>Größeren Werten die letzte Farbe geben. Auch das obere Ende der Legende lässt sich ziehen</translation>
+      <source>Give larger values the last colour</source>
+      <translation>Größeren Werten die letzte Farbe geben</translation>
     </message>
     <message>
-      <source>Give smaller values the first colour. You can also drag the lower end of the legend</source>
-      <translation>Kleineren Werten die erste Farbe geben. Auch das untere Ende der Legende lässt sich ziehen</translation>
+      <source>Give smaller values the first colour</source>
+      <translation>Kleineren Werten die erste Farbe geben</translation>
     </message>
     <message>
       <source>Membranes</source>
@@ -4949,8 +4902,8 @@
       <translation>Zapfen</translation>
     </message>
     <message>
-      <source>Show all values except the lowest and highest hundredth. You can also double-click the legend</source>
-      <translation>Alle Werte bis auf das unterste und oberste Hundertstel zeigen. Auch ein Doppelklick auf die Legende tut das</translation>
+      <source>Show all values except the lowest and highest hundredth</source>
+      <translation>Alle Werte bis auf das niedrigste und das höchste Hundertstel zeigen</translation>
     </message>
     <message>
       <source>Show both membranes between the pins. CurveUps computes them the first time you ask for them</source>
@@ -4971,13 +4924,6 @@
     <message>
       <source>To</source>
       <translation>Bis</translation>
-    </message>
-  </context>
-  <context>
-    <name>PythonGroupCommand</name>
-    <message>
-      <source>Examples</source>
-      <translation>Beispiele</translation>
     </message>
   </context>
   <context>
@@ -5019,10 +4965,6 @@
       <translation>Von</translation>
     </message>
     <message>
-      <source>How far each value may be off, all others as they are, until the shape or the glue does not hold; ≤ and ≥: nothing failed as far as was searched. Click an end to select the tiles that fail first beyond it</source>
-      <translation>Wie weit jeder Wert abweichen darf, alle anderen wie sie sind, bis die Form oder der Kleber nicht hält; ≤ und ≥: so weit gesucht wurde, versagte nichts. Klicken Sie auf ein Ende, um die Kacheln auszuwählen, die jenseits davon zuerst versagen</translation>
-    </message>
-    <message>
       <source>Lay the tiles out flat, verify that the membranes hold the shape, and repair weak contacts</source>
       <translation>Die Kacheln flach auslegen, prüfen, ob die Membranen die Form halten, und schwache Kontakte reparieren</translation>
     </message>
@@ -5043,6 +4985,10 @@
       <translation>Profil des Druckers</translation>
     </message>
     <message>
+      <source>Read how far each value alone may be off while shape and glue hold. ≤ and ≥ mean that nothing failed in the range that was searched. Click an end to select the tiles that fail first beyond it</source>
+      <translation>Ablesen, wie weit jeder Wert für sich abweichen darf, während Form und Kleber halten. ≤ und ≥ heißen, dass im durchsuchten Bereich nichts versagte. Ein Klick auf ein Ende wählt die Kacheln aus, die jenseits davon zuerst versagen</translation>
+    </message>
+    <message>
       <source>Repair</source>
       <translation>Reparieren</translation>
     </message>
@@ -5055,8 +5001,8 @@
       <translation>Die Parameter setzen, die zu einer Art von Drucker passen (ein Schritt beim Rückgängigmachen)</translation>
     </message>
     <message>
-      <source>Show those that are seldom needed, too</source>
-      <translation>Auch die zeigen, die man selten braucht</translation>
+      <source>Show parameters that are seldom needed, too</source>
+      <translation>Auch Parameter zeigen, die man selten braucht</translation>
     </message>
     <message>
       <source>Solve</source>
@@ -5098,6 +5044,10 @@
       <translation>Entwurf</translation>
     </message>
     <message>
+      <source>Examples</source>
+      <translation>Beispiele</translation>
+    </message>
+    <message>
       <source>Help</source>
       <translation>Hilfe</translation>
     </message>
@@ -5115,6 +5065,14 @@
     <message>
       <source>Choose the value that orders contacts and tiles. It colours the view too</source>
       <translation>Wählen, welcher Wert Kontakte und Kacheln ordnet. Er färbt auch die Ansicht</translation>
+    </message>
+    <message>
+      <source>Tiles</source>
+      <translation>Kacheln</translation>
+    </message>
+    <message>
+      <source>Value</source>
+      <translation>Wert</translation>
     </message>
     <message>
       <source>Worst Contacts</source>

@@ -61,10 +61,9 @@ class Pauses:
         self.timer.stop()
 
 def solve(design, pictures):
-    from curveups.window import runs
-    from curveups.window.panels import preferences
+    from curveups.window import preferences, runs
     from curveups.window.run import LIVE
-    preferences.set_draws_live(pictures)
+    preferences.group().SetBool("DrawLive", pictures)
     with Pauses() as pauses:
         runs.start('solve', design)
         while LIVE.busy:

@@ -116,7 +116,7 @@ def test_problems_are_beyond_the_limit_and_the_worst_come_first():
     one = Field("x", "mm", TILE, lambda: [3.0, 1.0, np.nan, 0.5, 1.0 - 1e-9], "low", 1.0, "cross")
     assert list(one.problems) == [3]
     assert list(one.order) == [3, 4, 1, 0]
-    sides = Field("x", "mm^2", SIDE, lambda: [[3, 1], [0.2, 5], [np.nan, 2]], "low", lambda: 0.5)
+    sides = Field("x", "mm^2", SIDE, lambda: [[3, 1], [0.2, 5], [np.nan, 2]], "low", 0.5)
     assert list(sides.problems) == [1] and list(sides.worst) == [1, 0.2, 2]
     high = Field("x", "", CONTACT, lambda: [0.2, 0.9, 0.6], "high", 0.5)
     assert list(high.problems) == [1, 2] and list(high.order) == [1, 2, 0]

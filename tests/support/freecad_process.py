@@ -15,19 +15,19 @@ from typing import Any
 from running import ROOT
 
 INSIDE = Path(__file__).with_name("inside_freecad.py")
-# What FreeCAD's home folder has of the workbench: all of it, nothing, all but the native module, and all with
-# a native module that can't be loaded.
+# Home folders of FreeCAD: with the workbench, without it, without its native module, and with a native module
+# that can't be loaded.
 HOMES = ("workbench", "nothing", "no native", "broken native")
-# Or, in words, what a user with all of it has chosen: a group of preferences, and what it holds.
+# Preferences of a user with the workbench, by words: a group and its entry.
 CHOICES = {"german": ("General", '<FCText Name="Language">German</FCText>'),
            "dark": ("MainWindow", '<FCText Name="StyleSheet">Behave-dark.qss</FCText>'),
            "inch": ("Units", '<FCInt Name="UserSchema" Value="3"/>')}
-# Displays that a window is on.
+# Displays of a window.
 SCREENS: dict[Any, str] = {True: "1440x900x24 -dpi 96", "4K": "3840x2160x24 -dpi 192"}
 
 
 class Ended(Exception):
-    """FreeCAD crashed, hung or could not start. The text is the end of what it said."""
+    """FreeCAD crashed, hung or could not start. The text is the end of its log."""
 
 
 class FreeCADProcess:
@@ -56,7 +56,7 @@ class FreeCADProcess:
             raise Ended(self._ended()) from error
 
     def receive(self, seconds: float) -> Any:
-        """The next message. Raises Ended where FreeCAD ends before or says nothing for so long."""
+        """The next message. Raises Ended if FreeCAD ends before, or sends nothing for so long."""
         try:
             if self._connection.poll(seconds):
                 return self._connection.recv()
@@ -73,36 +73,35 @@ class FreeCADProcess:
         self._process.wait()
 
     def hang_up(self) -> None:
-        """Asks for nothing more."""
+        """Ask for nothing more."""
         self._connection.close()
 
     def wait(self, seconds: float) -> None:
-        """Until FreeCAD has ended by itself."""
+        """Wait until FreeCAD has ended by itself."""
         self._process.wait(seconds)
 
     def said(self) -> str:
         return self._log.read_text(encoding="utf-8", errors="replace")
 
     def _ended(self) -> str:
-        return f"FreeCAD ended. The last that it said:\n{self.said()[-4000:]}"
+        return f"FreeCAD ended. The end of its log:\n{self.said()[-4000:]}"
 
 
 def command(script: Path, window: Any) -> list[str]:
-    """Starts FreeCAD with a script; with a window (one of SCREENS) on a virtual display of its own."""
+    """Command that starts FreeCAD with a script; with a window (one of SCREENS) on a virtual display."""
     if window:
         return ["xvfb-run", "-a", "-s", f"-screen 0 {SCREENS[window]}", "freecad", str(script)]
     return ["freecadcmd", "-c", f"import runpy; runpy.run_path({str(script)!r}, run_name='__main__')"]
 
 
 def environment_in(home: Path, **more: str) -> dict[str, str]:
-    found = {**os.environ, "HOME": str(home), "QTWEBENGINE_DISABLE_SANDBOX": "1",
-             "QTWEBENGINE_CHROMIUM_FLAGS": "--no-sandbox", "LIBGL_ALWAYS_SOFTWARE": "1", **more}
-    found.pop("PYTHONPATH", None)
-    return found
+    kept = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+    return {**kept, "HOME": str(home), "QTWEBENGINE_DISABLE_SANDBOX": "1",
+            "QTWEBENGINE_CHROMIUM_FLAGS": "--no-sandbox", "LIBGL_ALWAYS_SOFTWARE": "1", **more}
 
 
 def freecad_home(folder: Path, with_workbench: bool) -> Path:
-    """A home folder whose FreeCAD has the checkout as a Mod, or has not."""
+    """A home folder whose FreeCAD has the checkout as a Mod, or no Mod."""
     for base in (folder / ".local/share/FreeCAD", folder / ".local/share/FreeCAD/v1-1"):
         (base / "Mod").mkdir(parents=True)
         if with_workbench:
@@ -111,7 +110,7 @@ def freecad_home(folder: Path, with_workbench: bool) -> Path:
 
 
 def choose(home: Path, choices: list[tuple[str, str]]) -> None:
-    """Writes preferences."""
+    """Write preferences."""
     groups = "".join(f'<FCParamGroup Name="{group}">{entry}</FCParamGroup>' for group, entry in choices)
     for name in reversed(("Root", "BaseApp", "Preferences")):
         groups = f'<FCParamGroup Name="{name}">{groups}</FCParamGroup>'
@@ -121,7 +120,7 @@ def choose(home: Path, choices: list[tuple[str, str]]) -> None:
 
 
 def own_name(nodeid: str) -> str:
-    """Of a test within its file."""
+    """Name of a test within its file."""
     return nodeid.partition("::")[2]
 
 
@@ -130,7 +129,7 @@ def has_display() -> bool:
 
 
 def _checkout_with(folder: Path, module: bytes | None) -> None:
-    """This checkout by links, with another native module: its bytes, or None."""
+    """Link this checkout, with another native module: its bytes, or None."""
     package = folder / "Workbench" / "curveups"
     package.mkdir(parents=True)
     for place, names in ((ROOT, ("Init.py", "InitGui.py", "package.xml", "resources", "tools")),

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A pytest plugin: tests that are marked `freecad` run inside of a FreeCAD, one process a file.
 
-pytest collects them as any others, with placeholders for the modules that only FreeCAD has. Then it asks a
-FreeCAD (freecad_process.py) to run each, and passes on what it reports. Where FreeCAD crashes or hangs, the
-test at that time fails with what FreeCAD said last, and the next test begins a new process.
+pytest collects them as any others, with placeholders for the modules that only FreeCAD has. Then a FreeCAD
+(freecad_process.py) runs each and sends its reports. If FreeCAD crashes or hangs, the present test fails with
+the end of FreeCAD's log, and the next test begins a new process.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ class _Placeholders(importlib.abc.MetaPathFinder, importlib.abc.Loader):
 
 @contextmanager
 def placeholders(names: set[str]) -> Iterator[None]:
-    """Imports of these packages give objects of which anything can be asked."""
+    """Let imports of these packages give objects with any attribute."""
 
     def taken() -> dict[str, types.ModuleType]:
         return {name: sys.modules.pop(name) for name in list(sys.modules)
@@ -93,15 +93,15 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 
 def _options(item: pytest.Item) -> dict[str, Any]:
-    """What the marks of a test say together, the nearest last."""
-    found: dict[str, Any] = {}
+    """Options of a test from all its marks; the nearest counts most."""
+    options: dict[str, Any] = {}
     for mark in reversed(list(item.iter_markers("freecad"))):
-        found = {"home": "workbench", "window": False, "timeout": 300, **found, **mark.kwargs}
-    return found
+        options = {"home": "workbench", "window": False, "timeout": 300, **options, **mark.kwargs}
+    return options
 
 
 class _Asking:
-    """The FreeCAD of the file at hand."""
+    """The FreeCAD that runs the tests of a file."""
 
     def __init__(self, config: pytest.Config) -> None:
         self._config = config
@@ -116,14 +116,14 @@ class _Asking:
         hook = item.ihook
         hook.pytest_runtest_logstart(nodeid=item.nodeid, location=item.location)
         stays = nextitem is not None and self._needs(nextitem) == self._needs(item)
-        said = []
+        phases = []
         try:
             process = self._process or self._start(item, options)
             process.send((own_name(item.nodeid), own_name(nextitem.nodeid) if nextitem and stays else None))
             while (answer := process.receive(options["timeout"]))[0] == "report":
                 report = hook.pytest_report_from_serializable(config=self._config, data=answer[1])
                 report.nodeid = item.nodeid
-                said.append(report.when)
+                phases.append(report.when)
                 hook.pytest_runtest_logreport(report=report)
             wrong = answer[1]
         except Ended as error:
@@ -131,7 +131,7 @@ class _Asking:
         if wrong:
             hook.pytest_runtest_logreport(report=pytest.TestReport(
                 item.nodeid, item.location, dict.fromkeys(item.keywords, 1), "failed", wrong,
-                "teardown" if "call" in said else "call"))
+                "teardown" if "call" in phases else "call"))
         if not stays:
             self._end()
         hook.pytest_runtest_logfinish(nodeid=item.nodeid, location=item.location)

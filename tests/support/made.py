@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Surfaces over the plane, and projects of surfaces that a test makes."""
+"""Surfaces over the plane, and projects of surfaces."""
 
 import numpy as np
 from curveups.base.native import native

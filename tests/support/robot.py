@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A user's hands and eyes in FreeCAD's window. This module is imported inside of FreeCAD alone.
+"""Mouse, keys, waiting and pictures in FreeCAD's window. Only FreeCAD imports this module.
 
-Mouse and keys are those of the display (xdotool), so that nobody can use what is covered, grey or without
-focus. Waiting runs the window's own event loop.
+Mouse and keys are those of the display (xdotool): a test can't use parts that are covered, disabled or
+without focus. Waiting runs the window's own event loop.
 """
 
 import os
@@ -27,7 +27,7 @@ def keep_pictures_in(folder):
 
 
 def resize_to(width, height):
-    """What tidy() makes of the window."""
+    """Set the size of the window for tidy()."""
     global _size
     _size = (width, height)
 
@@ -39,12 +39,12 @@ def settle(milliseconds=200):
 
 
 def until(condition, seconds=30, what=""):
-    """Lets the window work until the condition holds; its value."""
+    """Let the window work until the condition has a true value; return it."""
     end = time.monotonic() + seconds
     while True:
-        found = condition()
-        if found:
-            return found
+        value = condition()
+        if value:
+            return value
         if time.monotonic() > end:
             picture("timeout")
             raise AssertionError(f"waited {seconds} s for {what or condition}: " + report()[-1500:])
@@ -52,8 +52,8 @@ def until(condition, seconds=30, what=""):
 
 
 def display(*arguments):
-    """Runs xdotool, at places in Qt's pixels. The window goes on meanwhile, as it answers the display; in the
-    end it has got all that was sent, which takes its time on a busy machine."""
+    """Run xdotool, at places in Qt's pixels. The window works meanwhile, since it answers the display, and
+    has got all events in the end."""
     if arguments[0] == "mousemove":
         ratio = window.devicePixelRatioF()
         arguments = ("mousemove", *(round(ratio * place) for place in arguments[1:3]), *arguments[3:])
@@ -70,7 +70,7 @@ def click_at(point, button=1, times=1):
 
 
 def once_open(menu, act):
-    """Does something as soon as a menu stands open, in whose own event loop it is."""
+    """Act as soon as a menu is open, in the menu's own event loop."""
     def look():
         if menu.isVisible():
             QtCore.QTimer.singleShot(300, act)
@@ -81,7 +81,7 @@ def once_open(menu, act):
 
 
 def scroll_to(widget, place):
-    """As a user does, to a place in a widget of a panel."""
+    """Scroll a panel to a place in one of its widgets."""
     above = widget.parentWidget()
     while above is not None:
         if isinstance(above, QtGui.QScrollArea):
@@ -92,7 +92,7 @@ def scroll_to(widget, place):
 
 
 def click_item(tree, item, column=0):
-    """Of a tree in a panel."""
+    """Click an item of a tree in a panel."""
     tree.scrollToItem(item)
     place = tree.visualRect(tree.indexFromItem(item, column)).center()
     scroll_to(tree.viewport(), place)
@@ -106,13 +106,13 @@ def click(widget, times=1, button=1):
 
 
 def target_in(widget):
-    """Where a user clicks on a widget: a box at its mark, since its middle may lie beside its text."""
+    """Point of a widget to click: its middle, or the mark of a check box, whose text may be short."""
     middle = widget.rect().center()
     return QtCore.QPoint(10, middle.y()) if isinstance(widget, QtGui.QCheckBox) else middle
 
 
 def at_rest_place(widget):
-    """That place on the display, once layouts and scrolling have come to rest."""
+    """Point of a widget to click on the display, once layouts and scrolling have come to rest."""
     place, before = widget.mapToGlobal(target_in(widget)), None
     while place != before:
         settle(60)
@@ -121,10 +121,10 @@ def at_rest_place(widget):
 
 
 def cut_off(form):
-    """Texts below a widget that are not seen whole, nor in a tooltip; a panel that is wider than its dock."""
-    found = [("too wide by", area.objectName(), area.horizontalScrollBar().maximum())
-             for area in window.findChildren(QtGui.QScrollArea)
-             if area.isAncestorOf(form) and area.horizontalScrollBar().maximum() > 0]
+    """Texts below a widget that are cut off and in no tooltip, and panels that are wider than their dock."""
+    misfits = [("too wide by", area.objectName(), area.horizontalScrollBar().maximum())
+               for area in window.findChildren(QtGui.QScrollArea)
+               if area.isAncestorOf(form) and area.horizontalScrollBar().maximum() > 0]
     for one in form.findChildren(QtGui.QWidget):
         if one.visibleRegion().isEmpty():
             continue
@@ -145,19 +145,19 @@ def cut_off(form):
             lacks = one.sizeHint().width() > one.width()
         elif isinstance(one, QtGui.QTreeWidget):
             lacks = False
-            found += [("QTreeWidget", one.objectName(), text) for text in _cut_off_in(one)]
+            misfits += [("QTreeWidget", one.objectName(), text) for text in _cut_off_in(one)]
         elif isinstance(one, QtGui.QTableWidget):
             lacks = one.horizontalScrollBar().maximum() > 0
         else:
             continue
         text = getattr(one, "text", lambda: "")() or getattr(one, "currentText", lambda: "")()
         if lacks and (not text or text not in one.toolTip()):
-            found.append((type(one).__name__, one.objectName(), text))
-    return found
+            misfits.append((type(one).__name__, one.objectName(), text))
+    return misfits
 
 
 def texts(form):
-    """All texts that are seen below a widget."""
+    """All visible texts below a widget."""
     for one in form.findChildren(QtGui.QWidget):
         if one.isVisible():
             kinds = ("text", "currentText", "title")
@@ -169,14 +169,14 @@ def texts(form):
 
 def rows_of(tree):
     """All items of a tree."""
-    found = [tree.topLevelItem(row) for row in range(tree.topLevelItemCount())]
-    for item in found:
-        found += map(item.child, range(item.childCount()))
-    return found
+    items = [tree.topLevelItem(row) for row in range(tree.topLevelItemCount())]
+    for item in items:
+        items += map(item.child, range(item.childCount()))
+    return items
 
 
 def _cut_off_in(tree):
-    """Texts of a tree that are not seen whole, nor in their tooltips."""
+    """Texts of a tree that are cut off and not in their tooltips."""
     seen = tree.viewport().width()
     for item in [*rows_of(tree), *([] if tree.isHeaderHidden() else [tree.headerItem()])]:
         for column in range(1 if item.isFirstColumnSpanned() else tree.columnCount()):
@@ -198,7 +198,7 @@ def write(text):
 
 
 def fill(box, text):
-    """Types over what stands in a spin box or a line, and leaves it."""
+    """Type over the text of a spin box or a line, and leave it."""
     click(box, times=3)
     keys("ctrl+a")
     write(text)
@@ -210,87 +210,77 @@ def widget(name, seconds=10):
 
     def find():
         for top in QtGui.QApplication.topLevelWidgets():
-            for found in top.findChildren(QtGui.QWidget, name) if top.isVisible() else ():
-                if found.isVisible():
+            for child in top.findChildren(QtGui.QWidget, name) if top.isVisible() else ():
+                if child.isVisible():
                     # PySide drops what it knows of the widgets in a dialog together with the dialog. Nobody
                     # else keeps that: it would take later widgets at its address for those that are gone.
-                    found.dialog = top
-                    return found
+                    child.dialog = top
+                    return child
         return None
 
     return until(find, seconds, f"a widget {name}")
 
 
 def in_dialog(start, work):
-    """start() opens a dialog that holds the window until it is closed, which is up to work()."""
-    wrong, timer = [], QtCore.QTimer()
+    """Call work() in the modal dialog that start() opens. work() closes it."""
+    _while_open(QtGui.QApplication.activeModalWidget, start, work, "a dialog")
+    until(lambda: QtGui.QApplication.activeModalWidget() is None, 30, "the dialog to close")
+
+
+def choose(start, *texts):
+    """Click entries that begin with these texts in the menu that start() opens, those of a submenu last."""
+
+    def menu():
+        popup = QtGui.QApplication.activePopupWidget()
+        return popup if isinstance(popup, QtGui.QMenu) else None
+
+    def work():
+        for text in texts:
+            opened = until(menu, 3, f"the menu with {text}")
+            entries = {entry.text().replace("&", ""): entry for entry in opened.actions()}
+            entry = next((entry for name, entry in entries.items() if name.startswith(text)), None)
+            assert entry is not None and entry.isEnabled(), (text, list(entries))
+            click_at(opened.mapToGlobal(opened.actionGeometry(entry).center()))
+
+    _while_open(menu, start, work, "a menu")
+    settle(100)
+
+
+def _while_open(opened, start, work, what):
+    """Call work() once opened() is there, in the event loop of what start() opens. It is closed after a
+    failure, which is raised in the end."""
+    errors: list[BaseException] = []
+    timer = QtCore.QTimer()
 
     def look():
-        if QtGui.QApplication.activeModalWidget() is None:
+        if not opened():
             return
         timer.stop()
         try:
             settle(300)
             work()
         except BaseException as error:
-            wrong.append(error)
-            QtGui.QApplication.activeModalWidget().close()
+            errors.append(error)
+            while opened():
+                opened().close()
 
     timer.timeout.connect(look)
     timer.start(50)
     start()
-    until(lambda: not timer.isActive() and QtGui.QApplication.activeModalWidget() is None, 30, "a dialog")
-    if wrong:
-        raise wrong[0]
-
-
-def choose(start, *texts):
-    """start() opens a menu by the mouse; entries that begin so are clicked in it, a submenu's after it. A
-    menu that is gone then does not come back."""
-    wrong: list[BaseException] = []
-    done: list[bool] = []
-    timer = QtCore.QTimer()
-
-    def look():
-        if not isinstance(QtGui.QApplication.activePopupWidget(), QtGui.QMenu):
-            return
-        timer.stop()
-        try:
-            assert not done, "the menu came back"
-            settle(200)
-            for text in texts:
-                menu = until(QtGui.QApplication.activePopupWidget, 3, f"the menu with {text}")
-                names = [one.text().replace("&", "") for one in menu.actions()]
-                entry = next((one for one, name in zip(menu.actions(), names) if name.startswith(text)), None)
-                assert entry is not None and entry.isEnabled(), (text, names)
-                click_at(menu.mapToGlobal(menu.actionGeometry(entry).center()))
-            if QtGui.QApplication.activePopupWidget() is None:
-                timer.start(50)
-        except BaseException as error:
-            wrong.append(error)
-            while QtGui.QApplication.activePopupWidget():
-                QtGui.QApplication.activePopupWidget().close()
-        done.append(True)
-
-    timer.timeout.connect(look)
-    timer.start(50)
-    start()
-    until(lambda: done, 30, "a menu")
-    settle(100)
-    timer.stop()
-    if wrong:
-        raise wrong[0]
+    until(lambda: not timer.isActive(), 30, what)
+    if errors:
+        raise errors[0]
 
 
 def menu_bar(title):
-    """Opens a menu of the window, as the start of choose()."""
+    """Open a menu of the window, as the start of choose()."""
     bar = window.menuBar()
     entry = next(one for one in bar.actions() if one.text().replace("&", "") == title)
     click_at(bar.mapToGlobal(bar.actionGeometry(entry).center()))
 
 
 def tree_entry(obj):
-    """Where an object's row in the tree is, on the display."""
+    """Point of an object's row in the tree, on the display."""
     for tree in window.findChildren(QtGui.QTreeWidget):
         for item in tree.findItems(obj.Label, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive):
             if tree.isVisible() and item.text(0) == obj.Label:
@@ -303,7 +293,7 @@ def tree_entry(obj):
 
 
 def choose_file(path):
-    """In a dialog of files. A first Return may take a folder that the dialog proposes."""
+    """Choose a file in a dialog. A first Return may take a folder that the dialog proposes."""
     dialog = QtGui.QApplication.activeModalWidget()
     for _ in range(3):
         keys("ctrl+a")
@@ -319,18 +309,18 @@ def action(command):
 
 
 def entry_of(*commands):
-    """What menus call FreeCAD's command, the first of these that it has: versions differ."""
+    """Text in menus of the first of these commands that this version of FreeCAD has."""
     return next(action(one).text().replace("&", "") for one in commands if one in FreeCADGui.listCommands())
 
 
 def menu_of(entry):
-    """The menu that an entry opens, or None. A menu from PySide's QAction.menu() may end with what Python
-    knows of it: the window loses it."""
+    """The menu that an entry opens, or None. PySide's QAction.menu() may delete the menu together with its
+    Python object."""
     return next((one for one in window.findChildren(QtGui.QMenu) if one.menuAction() == entry), None)
 
 
 def press(command):
-    """Clicks the command's button in the toolbar, or its entry in the menu CurveUps."""
+    """Click the command's button in the toolbar, or its entry in the menu CurveUps."""
     wanted = action(command)
     until(wanted.isEnabled, 10, f"{command} to be active")
     for button in window.findChildren(QtGui.QToolButton):
@@ -346,13 +336,13 @@ def press(command):
                 return [one.text().replace("&", ""), *rest]
         return None
 
-    found = way(menu_of(next(one for one in window.menuBar().actions() if one.text() == "&CurveUps")))
-    assert found, f"{command} has neither a button nor an entry"
-    choose(lambda: menu_bar("CurveUps"), *found)
+    texts = way(menu_of(next(one for one in window.menuBar().actions() if one.text() == "&CurveUps")))
+    assert texts, f"{command} has neither a button nor an entry"
+    choose(lambda: menu_bar("CurveUps"), *texts)
 
 
 def close_panel():
-    """The task panel, by its own button."""
+    """Close the task panel by its button."""
     if FreeCADGui.Control.activeDialog():
         click(next(button for box in window.findChildren(QtGui.QDialogButtonBox) if box.isVisible()
                    for button in [box.button(QtGui.QDialogButtonBox.Close)] if button))
@@ -360,25 +350,25 @@ def close_panel():
 
 
 def report():
-    found = window.findChild(QtGui.QTextEdit, "Report view")
-    return found.toPlainText() if found else ""
+    view = window.findChild(QtGui.QTextEdit, "Report view")
+    return view.toPlainText() if view else ""
 
 
 def clear_report():
-    found = window.findChild(QtGui.QTextEdit, "Report view")
-    if found:
-        found.clear()
+    view = window.findChild(QtGui.QTextEdit, "Report view")
+    if view:
+        view.clear()
 
 
 def at_rest(seconds=120):
-    """No run of the window is at work."""
+    """Wait until no run of the window is at work."""
     worker = sys.modules.get("curveups.project.worker")
     until(lambda: worker is None or not worker.WORKER.busy, seconds, "the run to end")
     settle(200)
 
 
 def picture(name):
-    """Keeps a picture of the display; the number of colours in the middle of the 3D view."""
+    """Keep a picture of the display; return the number of colours in the middle of the 3D view."""
     settle(150)
     image = QtGui.QApplication.primaryScreen().grabWindow(0).toImage()
     image.save(os.path.join(_pictures, name + ".png"))
@@ -390,7 +380,7 @@ def picture(name):
 
 
 def on_screen(point, view=None):
-    """Where a point in space (FreeCAD.Vector) is on the display."""
+    """Point on the display of a point in space (FreeCAD.Vector)."""
     view = view or FreeCADGui.ActiveDocument.ActiveView
     place = getattr(view, "getPointOnViewport", None) or view.getPointOnScreen
     x, y = place(point)
@@ -404,7 +394,7 @@ def on_screen(point, view=None):
 
 
 def tidy():
-    """The window fills the display; only tree, properties, tasks and report view stand beside the views."""
+    """Let the window fill the display, with only tree, properties, tasks and report view beside the views."""
     window.move(0, 0)
     window.resize(*_size)
     for dock in window.findChildren(QtGui.QDockWidget):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What all Python tests share: how the program is started, and a small target."""
+"""Start of the program, and a small target, for all Python tests."""
 
 import math
 import os

@@ -52,8 +52,8 @@ def revolved(profile, around):
 
 
 def implicit_surface(distance, low, high, spacing):
-    """Where distance(points) is zero, inside negative: marching tetrahedra on a cubic grid of
-    about `spacing`, closed where the surface lies inside the box."""
+    """V and F of the surface distance(points) = 0, negative inside: marching tetrahedra on a cubic grid of
+    about `spacing`, closed if the surface lies inside the box."""
     low, high = np.array(low, float) - 2.1 * spacing, np.array(high, float) + 2.1 * spacing
     count = np.ceil((high - low) / spacing).astype(int) + 1
     grid = np.stack(np.meshgrid(*(low[k] + spacing * np.arange(count[k]) for k in range(3)),

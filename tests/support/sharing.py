@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is made once for all processes of a test run."""
+"""Folders that are made once for all processes of a test run."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if _NAME not in os.environ:  # the first process of the run; all others inherit 
 
 
 def shared(name: str, make: Callable[[Path], object]) -> Path:
-    """The folder that make(folder) has filled. Whoever asks first makes it, the others wait."""
+    """The folder that make(folder) has filled. The first process makes it, the others wait."""
     folder = Path(os.environ[_NAME]) / name
     done = folder.with_suffix(".done")
     with open(folder.with_suffix(".lock"), "w", encoding="utf-8") as lock:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What tests in the window begin with and wait for. This module is imported inside of FreeCAD alone."""
+"""Steps that many tests in the window share. Only FreeCAD imports this module."""
 
 import atexit
 import os
@@ -9,8 +9,8 @@ import threading
 import FreeCAD
 import FreeCADGui
 import numpy as np
-from curveups.window.commands.new_design import make_design
-from curveups.window.panels import panel as panels
+from curveups.window import panel as panels
+from curveups.window.new_design import make_design
 from curveups.window.overlays import overlay_of
 from curveups.window.run import LIVE
 from robot import (QtGui, at_rest, click, close_panel, display, fill, in_dialog, on_screen, settle, tidy,
@@ -26,20 +26,20 @@ def begin():
     FreeCADGui.activateWorkbench("CurveUpsWorkbench")
     settle(300)
     tidy()
-    made = FreeCAD.newDocument("Made")
-    made.UndoMode = 1
+    document = FreeCAD.newDocument("Made")
+    document.UndoMode = 1
     settle(200)
-    return made
+    return document
 
 
 def example(name="half-sphere", **values):
-    """Its document, and a design that is small enough to be solved while one waits."""
-    made = begin()
-    design = make_design(made, repr(name))
+    """Document and design of a built-in target that is solved in seconds."""
+    document = begin()
+    design = make_design(document, repr(name))
     for key, value in values.items():
         setattr(design, key, value)
-    made.recompute()
-    return made, design
+    document.recompute()
+    return document, design
 
 
 def opened(path):
@@ -53,8 +53,8 @@ def opened(path):
 
 
 def quit_freecad(left, look=lambda: None):
-    """By its own window, whose document has changed, while something is at work: `look` at it while FreeCAD
-    asks. The file `left` says how FreeCAD ended: status, whether anything was at work, any thread of ours."""
+    """Close the window, whose document has changed, while a run is at work; `look` at it while FreeCAD asks.
+    The file `left` then holds FreeCAD's status, and whether a run and whether a thread of ours was left."""
     ended: list[int] = []
     setattr(os, "_exit", ended.append)  # it is FreeCAD itself that ends here
 
@@ -81,7 +81,7 @@ def panel():
 
 
 def leave():
-    """Closes whatever a command has opened, once it is at rest."""
+    """Close the panel or dialog of a command, once no run is at work."""
     at_rest()
     if panel() is not None:
         panel().reject()
@@ -91,18 +91,18 @@ def leave():
 
 
 def enter(form, name, text):
-    """Types a parameter, which may have to be scrolled to."""
+    """Type a parameter, after scrolling to it."""
     fill(form.findChild(QtGui.QAbstractSpinBox, name), text)
 
 
 def in_units(number):
-    """The window shows the unit schema of that number."""
+    """Choose the unit schema of that number."""
     FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units").SetInt("UserSchema", number)
     FreeCAD.Units.setSchema(number)
 
 
 def edge_at(design, x, y):
-    """The interior edge between two tiles whose middle is nearest to a place, from above, on the front."""
+    """The interior edge whose middle is nearest to (x, y) from above, on the front."""
     overlay = overlay_of(design)
     corners, shift = overlay.figures()[0]
     F = overlay.scene.F
@@ -116,7 +116,7 @@ def edge_at(design, x, y):
 
 
 def point_in(design, pair):
-    """A little inside one of its tiles, so that the pixel is on it."""
+    """A point near an edge, a little inside one of its tiles, so that its pixel is on the tile."""
     overlay = overlay_of(design)
     corners, shift = overlay.figures()[0]
     tile = next(t for t, face in enumerate(overlay.scene.F.tolist()) if set(pair) <= set(face))
@@ -139,7 +139,3 @@ def click_edge(design, x, y):
     display("click", 1)
     settle(400)
     return pair
-
-
-__all__ = ["ENGLISH", "LIVE", "begin", "click_edge", "edge_at", "enter", "example", "in_units", "move_to",
-           "opened", "panel", "point_in"]

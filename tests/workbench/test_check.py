@@ -28,13 +28,13 @@ def marked():
     for y in range(100, 740):
         for x in range(660, 1200):
             pixel = image.pixel(x, y)
-            found = (pixel >> 16 & 255, pixel >> 8 & 255, pixel & 255)
-            count += all(abs(a - b) < 12 for a, b in zip(found, wanted))
+            rgb = (pixel >> 16 & 255, pixel >> 8 & 255, pixel & 255)
+            count += all(abs(a - b) < 12 for a, b in zip(rgb, wanted))
     return count
 
 
 def test_a_check_says_what_is_in_the_way_and_sizes_that_do(pictures):
-    made, design = example("half-sphere", L=14, HBody=33)
+    document, design = example("half-sphere", L=14, HBody=33)
     before = design.Results
     press("CurveUps_Check")
     form = widget("CheckPanel")
@@ -55,7 +55,7 @@ def test_a_check_says_what_is_in_the_way_and_sizes_that_do(pictures):
     assert marked() > 3 * len(problems), marked()
     listed = {form.obstacles.topLevelItem(row).text(0) for row in range(form.obstacles.topLevelItemCount())}
     assert listed == {f"T{tile + 1:05d}" for tile in problems}, listed
-    assert made.UndoNames[0] == "Check", made.UndoNames
+    assert document.UndoNames[0] == "Check", document.UndoNames
 
     item = form.obstacles.topLevelItem(0)
     click_item(form.obstacles, item)
@@ -76,18 +76,19 @@ def test_a_check_says_what_is_in_the_way_and_sizes_that_do(pictures):
     click(form.use_thickness)
     until(lambda: LIVE.busy, 10, "the next check")
     at_rest()
-    assert 1 < design.HBody.Value < 33 and made.UndoNames[:2] == ["Check", "Use HBody"], made.UndoNames
+    assert 1 < design.HBody.Value < 33
+    assert document.UndoNames[:2] == ["Check", "Use HBody"], document.UndoNames
     assert "<b>Feasible" in form.verdict.text() and not form.obstacles.isVisible(), form.verdict.text()
     assert len(overlay.scene.fields["Obstacles"].problems) == 0
     picture("feasible")
 
     # What was checked is out of date with the next edit, here by undo.
-    made.undo()
-    made.undo()
+    document.undo()
+    document.undo()
     settle(500)
     until(lambda: design.HBody.Value == 33 and "Not feasible" in form.verdict.text(), 5, "the check before")
     design.HBody = 3
-    made.recompute()
+    document.recompute()
     until(lambda: "Out of date" in form.verdict.text() and not form.sizes.isEnabled(), 5, "that it is old")
     close_panel()
     until(lambda: not overlay.shows_target, 5)
@@ -95,9 +96,9 @@ def test_a_check_says_what_is_in_the_way_and_sizes_that_do(pictures):
 
 
 def test_the_target_of_a_solved_design_is_checked_beside_its_layout(pictures):
-    made, design = example(L=13)
+    document, design = example(L=13)
     actions.solve(design)
-    made.recompute()
+    document.recompute()
     settle(500)
     assert design.Verdict == "valid", list(design.Reasons)
     overlay = overlay_of(design)
@@ -117,7 +118,7 @@ def test_sizes_are_chosen_and_profiles_applied_in_the_panel_of_the_design(pictur
     def item(menu, text):
         return next(action for action in menu.actions() if action.text() == text)
 
-    made, design = example("half-sphere", L=13, HBody=8, MaximumDeviation=0.4)
+    document, design = example("half-sphere", L=13, HBody=8, MaximumDeviation=0.4)
     FreeCADGui.ActiveDocument.setEdit(design.Name)
     settle(300)
     form = panel().form
@@ -128,7 +129,7 @@ def test_sizes_are_chosen_and_profiles_applied_in_the_panel_of_the_design(pictur
     click(form.findChild(QtGui.QToolButton, "auto_L"))
     until(lambda: LIVE.busy, 10, "the search")
     at_rest()
-    assert made.UndoNames[0] == "Choose Sizes" and design.L.Value != 13, (design.L, made.UndoNames)
+    assert document.UndoNames[0] == "Choose Sizes" and design.L.Value != 13, (design.L, document.UndoNames)
     field = form.findChild(QtGui.QAbstractSpinBox, "L")
     assert abs(field.property("rawValue") - design.L.Value) < 1e-9
     assert "tried L = " in form.line.text() and form.line.text().endswith(": valid"), form.line.text()
@@ -139,12 +140,12 @@ def test_sizes_are_chosen_and_profiles_applied_in_the_panel_of_the_design(pictur
     once_open(menu, lambda: (picture("profiles"), item(menu, "FDM").trigger(), menu.close()))
     click(form.profile)
     until(lambda: design.Printer == "fdm", 10, "the profile")
-    assert design.L.Value == 10 and design.Bumps == "none" and made.UndoNames[0] == "Apply Profile"
+    assert design.L.Value == 10 and design.Bumps == "none" and document.UndoNames[0] == "Apply Profile"
     panel().turn_to("Files")
     settle(200)
     assert form.findChild(QtGui.QComboBox, "Printer").currentText() == "fdm"
     picture("profile-applied")
-    made.undo()
+    document.undo()
     settle(300)
     assert design.L.Value == chosen and design.Printer == "polyjet"
 
@@ -159,7 +160,7 @@ def test_sizes_are_chosen_and_profiles_applied_in_the_panel_of_the_design(pictur
     once_open(menu, lambda: (picture("materials"), click_at(menu.mapToGlobal(thin))))
     click(form.materials)
     until(lambda: design.ThicknessFront.Value == 0.25, 10, "the membrane")
-    assert design.ThicknessBack.Value == 0.25 and made.UndoNames[0] == "Apply Material"
+    assert design.ThicknessBack.Value == 0.25 and document.UndoNames[0] == "Apply Material"
     assert marked() == ["latex-0.25", "cyanoacrylate", "vero"]
     design.ThicknessBack = 0.3
     assert marked() == ["cyanoacrylate", "vero"]
@@ -168,7 +169,7 @@ def test_sizes_are_chosen_and_profiles_applied_in_the_panel_of_the_design(pictur
 
 
 def test_a_part_with_a_wall_is_taken_as_it_is_drawn(pictures):
-    """Its outer skin without the rim, or faces that are selected."""
+    """The target is its outer skin without the rim, or the selected faces."""
     def radii(design):
         # Of the corners of the target about the bowl's middle.
         return [point.Vector.Length for point in design.Target.Mesh.Points]
@@ -179,32 +180,32 @@ def test_a_part_with_a_wall_is_taken_as_it_is_drawn(pictures):
         checking(form)
         return form
 
-    made = begin()
+    document = begin()
     outer, inner = Part.makeSphere(45), Part.makeSphere(40)
     below = Part.makeBox(100, 100, 100, FreeCAD.Vector(-50, -50, -115))
-    bowl = made.addObject("Part::Feature", "Bowl")
+    bowl = document.addObject("Part::Feature", "Bowl")
     bowl.Shape = outer.cut(inner).common(below).removeSplitter()
     FreeCADGui.Selection.addSelection(bowl)
     press("CurveUps_NewDesign")
     bowl.ViewObject.Visibility = False
-    design = made.Design
+    design = document.Design
     design.L = 14
-    made.recompute()
+    document.recompute()
     form = check()
-    found = radii(design)
-    assert min(found) > 44.9 and max(found) < 45.1, (min(found), max(found))
+    distances = radii(design)
+    assert min(distances) > 44.9 and max(distances) < 45.1, (min(distances), max(distances))
     assert "Feasible" in form.verdict.text(), form.verdict.text()
     picture("bowl-outer")
     close_panel()
 
     # A part that can't be read so is a line with the remedy, and the check before stays.
     design.Faces = "Face99"
-    made.recompute()
+    document.recompute()
     form = check()
     assert "Face99" in form.line.text() and "Face1 to Face" in form.line.text(), form.line.text()
     picture("bowl-no-such-face")
     close_panel()
-    made.undo()
+    document.undo()
 
     # Only the selected face: the wall's rim and its other skin are no part of the target.
     name = next(f"Face{number}" for number, face in enumerate(bowl.Shape.Faces, 1)
@@ -213,28 +214,29 @@ def test_a_part_with_a_wall_is_taken_as_it_is_drawn(pictures):
     FreeCADGui.Selection.clearSelection()
     FreeCADGui.Selection.addSelection(bowl, name)
     press("CurveUps_NewDesign")
-    second = [obj for obj in made.Objects if obj.Name.startswith("Design")][-1]
+    second = [obj for obj in document.Objects if obj.Name.startswith("Design")][-1]
     assert second.Faces == name, second.Faces
     second.L = 14
-    made.recompute()
+    document.recompute()
     check()
-    found = radii(second)
-    assert len(found) > 20 and min(found) > 39.9 and max(found) < 40.1, (min(found), max(found))
+    distances = radii(second)
+    assert len(distances) > 20
+    assert min(distances) > 39.9 and max(distances) < 40.1, (min(distances), max(distances))
     close_panel()
 
 
 def test_a_part_that_is_feasible_as_it_is(pictures):
     """No size is offered where those that are set work. The part would cover its target, and is hidden until
     the panel closes."""
-    made = begin()
-    cap = made.addObject("Part::Feature", "Cap")
+    document = begin()
+    cap = document.addObject("Part::Feature", "Cap")
     ball = Part.makeSphere(40, FreeCAD.Vector(), FreeCAD.Vector(0, 0, 1), 35)
     cap.Shape = max(ball.Faces, key=lambda face: face.Area)
-    made.recompute()
+    document.recompute()
     FreeCADGui.Selection.addSelection(cap)
     press("CurveUps_NewDesign")
-    made.Design.L = 11
-    made.recompute()
+    document.Design.L = 11
+    document.recompute()
     press("CurveUps_Check")
     form = panel().form
     checking(form)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Commands and panels in a real window: what each leaves in the document, the report view, the picture."""
+"""Commands and panels in a real window: their traces in the document, the report view, the picture."""
 
 import json
 import os
@@ -12,9 +12,8 @@ import pytest
 from curveups.base.errors import CurveUpsError
 from curveups.base.findings import Finding
 from curveups.project.worker import WORKER
-from curveups.window import qt
-from curveups.window.commands import new_design
-from curveups.window.commands.new_design import make_design
+from curveups.window import new_design, qt
+from curveups.window.new_design import make_design
 from curveups.window.notice import show_error
 from curveups.window.overlays import overlay_of
 from robot import action, at_rest, click, picture, press, QtCore, QtGui, report, settle, tidy, until, widget
@@ -198,7 +197,7 @@ def test_verify_repair_solids_report_and_export(tmp_path, monkeypatch, pictures)
     enter(form, "FrictionCoefficient", "0.4")
     until(lambda: abs(design.FrictionCoefficient - 0.4) < 1e-9, 5, "the edit to arrive")
     assert design.Verdict == "out of date" and made.UndoNames[0] == "Edit the design", made.UndoNames
-    assert "out of date, not settled" in form.verdict.text()
+    until(lambda: "out of date, not settled" in form.verdict.text(), 5, "the verdict")
     click(form.verify)
     at_rest()
     picture("verified")
@@ -223,26 +222,21 @@ def test_verify_repair_solids_report_and_export(tmp_path, monkeypatch, pictures)
     settle(100)
 
     press("CurveUps_Export")
-    form = widget("ExportPanel")
-
-    def field(kind, name):
-        return form.findChild(getattr(QtGui, kind), name)
-
-    line, write_button = field("QLabel", "line"), field("QPushButton", "write")
+    form = panel().form
     picture("export-refused")
-    assert not write_button.isEnabled() and "HBody" in field("QLabel", "doubts").text()
-    field("QLineEdit", "folder").setText(out)
-    field("QLineEdit", "names").setText("{nam}")
-    field("QCheckBox", "insist").setChecked(True)
-    write_button.click()
-    assert "nam" in line.text() and not os.path.exists(out), line.text()
-    field("QLineEdit", "names").setText("{name}-{body}")
-    text = field("QLabel", "chosen").text()
-    assert "half-sphere-print.3mf" in text, text
-    write_button.click()
+    assert not form.write.isEnabled() and "HBody" in form.doubts.text()
+    assert "Tick 'Write them anyway'" in form.write.toolTip()
+    form.folder.setText(out)
+    form.names.setText("{nam}")
+    form.insist.setChecked(True)
+    form.write.click()
+    assert "nam" in form.line.text() and not os.path.exists(out), form.line.text()
+    form.names.setText("{name}-{body}")
+    assert "half-sphere-print.3mf" in form.chosen.text(), form.chosen.text()
+    form.write.click()
     at_rest()
     picture("exported")
-    assert "files in" in line.text(), line.text()
+    assert "files in" in form.line.text(), form.line.text()
     assert os.path.exists(os.path.join(out, "half-sphere-print.step"))
     FreeCADGui.Control.closeDialog()
     settle(100)
@@ -254,8 +248,8 @@ def test_verify_repair_solids_report_and_export(tmp_path, monkeypatch, pictures)
     at_rest()
     assert pages and pages[0].startswith(os.path.dirname(saved)) and os.path.getsize(pages[0]) > 50000, pages
     assert "Traceback" not in report() and "unexpected" not in report(), report()
-    found = json.loads((tmp_path / "print" / "report.json").read_text(encoding="utf-8"))
-    assert found["valid"] is False and "HBody" in found["reasons"][0], found["reasons"]
+    written = json.loads((tmp_path / "print" / "report.json").read_text(encoding="utf-8"))
+    assert written["valid"] is False and "HBody" in written["reasons"][0], written["reasons"]
     assert "NOT VALID" in (tmp_path / "print" / "half-sphere-print.step").read_text(encoding="utf-8")[:3000]
 
 
@@ -265,15 +259,16 @@ def test_errors_are_one_line_with_tiles_to_click(pictures):
     at_rest()
     panel().reject()
     settle(200)
-    found = Finding.about("sharp_fold", (11, 43), count=2, H_body=3.0)
-    show_error(CurveUpsError(str(found), "Design, T00012, T00044", "make HBody less", finding=found), "Solve")
+    finding = Finding.about("sharp_fold", (11, 43), count=2, H_body=3.0)
+    show_error(CurveUpsError(str(finding), "Design, T00012, T00044", "make HBody less", finding=finding),
+               "Solve")
     settle(700)
     notice = widget("CurveUpsNotice")
     assert 'href="T00012"' in notice.findChild(QtGui.QLabel, "text").text()
     picture("notice")
     notice.findChild(QtGui.QLabel, "text").linkActivated.emit("T00012")
     selected = FreeCADGui.Selection.getSelectionEx()
-    assert [one.SubElementNames for one in selected] == [("T00012",)], selected
+    assert [selection.SubElementNames for selection in selected] == [("T00012",)], selected
     lines = [line for line in report().splitlines() if "back faces" in line]
     assert len(lines) == 1 and "make HBody less" in lines[0]
     click(notice.findChild(QtGui.QToolButton))
@@ -297,7 +292,7 @@ def test_without_the_native_module(pictures):
     FreeCADGui.activateWorkbench("CurveUpsWorkbench")
     settle(500)
     tidy()
-    for name in ("NewDesign", "Solve", "Examples", "Export"):
+    for name in ("NewDesign", "Solve", "Export"):
         assert not FreeCADGui.Command.get("CurveUps_" + name).isActive(), name
     tip = action("CurveUps_NewDesign").statusTip()
     assert "has not been built" in tip, tip

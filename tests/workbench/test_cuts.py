@@ -17,8 +17,8 @@ pytestmark = pytest.mark.freecad(window=True)
 
 def cutting(name="half-sphere"):
     """A new design, with the panel of cuts and its target from above."""
-    made = begin()
-    design = designs.new_design(made, name)
+    document = begin()
+    design = designs.new_design(document, name)
     FreeCADGui.runCommand("CurveUps_Cuts")
     until(lambda: FreeCADGui.Control.activeDialog(), 20, "the panel")
     until(lambda: not LIVE.busy and overlay_of(design).scene is not None, 60, "the target")
@@ -27,7 +27,7 @@ def cutting(name="half-sphere"):
     view.viewTop()
     view.fitAll()
     settle(500)
-    return made, design
+    return document, design
 
 
 def edges(design):
@@ -40,7 +40,7 @@ def quiet(seconds=60):
 
 
 def test_a_chain_of_clicks_cuts_along_edges_and_each_click_is_undone_singly(pictures):
-    made, design = cutting()
+    document, design = cutting()
     pair, places = edge_at(design, 0, 0)
     move_to(design, pair)
     picture("hovered")
@@ -65,14 +65,14 @@ def test_a_chain_of_clicks_cuts_along_edges_and_each_click_is_undone_singly(pict
     tree.topLevelItem(0).setSelected(True)
     settle(200)
     picture("selected")
-    made.undo()
+    document.undo()
     settle(500)
     assert edges(design) == {first}
-    made.redo()
+    document.redo()
     settle(500)
     assert edges(design) == chain
-    made.undo()
-    made.undo()
+    document.undo()
+    document.undo()
     settle(500)
     assert not edges(design) and tree.topLevelItemCount() == 0
     quiet()
@@ -82,32 +82,32 @@ def test_a_chain_of_clicks_cuts_along_edges_and_each_click_is_undone_singly(pict
 
 
 def test_the_surface_that_covers_its_target_is_hidden_while_edges_are_picked(pictures):
-    made = begin()
-    part = made.addObject("Part::Feature", "Cap")
+    document = begin()
+    part = document.addObject("Part::Feature", "Cap")
     part.Shape = max(Part.makeSphere(40, FreeCAD.Vector(), FreeCAD.Vector(0, 0, 1), 35).Faces,
                      key=lambda face: face.Area)
-    made.recompute()
+    document.recompute()
     FreeCADGui.Selection.addSelection(part)
     press("CurveUps_NewDesign")
-    until(lambda: len(made.Objects) > 1, 20, "the design")
-    made.Design.L = 14
-    made.recompute()
-    undos = list(made.UndoNames)
+    until(lambda: len(document.Objects) > 1, 20, "the design")
+    document.Design.L = 14
+    document.recompute()
+    undos = list(document.UndoNames)
     press("CurveUps_Cuts")
     until(lambda: not part.Visibility, 60, "the target to come into sight")
     quiet()
     assert not part.ViewObject.Visibility
-    click_edge(made.Design, 0, 0)
+    click_edge(document.Design, 0, 0)
     quiet()
     picture("uncovered")
-    assert len(edges(made.Design)) == 1 and not part.Visibility
+    assert len(edges(document.Design)) == 1 and not part.Visibility
     close_panel()
     assert part.Visibility and part.ViewObject.Visibility
-    assert len(made.UndoNames) == len(undos) + 2, made.UndoNames  # the target, and the cut
+    assert len(document.UndoNames) == len(undos) + 2, document.UndoNames  # the target, and the cut
 
 
 def test_a_click_on_a_cut_takes_it_back_and_suggestions_are_accepted(pictures):
-    made, design = cutting()
+    document, design = cutting()
     box = widget("live")  # no layout
     click(box)
     until(lambda: not box.isChecked(), 10, "the box")
@@ -134,14 +134,14 @@ def test_a_click_on_a_cut_takes_it_back_and_suggestions_are_accepted(pictures):
         assert "predicted" in listed.topLevelItem(0).text(0)
         click(widget("accept"))
         assert len(edges(design)) > 1
-        made.undo()
+        document.undo()
         settle(400)
         assert not edges(design)
     # The tiles were left alone by the clicks.
     assert not overlay.selected
     close_panel()
     settle(300)
-    FreeCAD.closeDocument(made.Name)
+    FreeCAD.closeDocument(document.Name)
     settle(300)
     assert "Traceback" not in report(), report()
 
@@ -154,13 +154,13 @@ def test_cuts_are_picked_in_the_flat_view_as_in_the_actuated_one(pictures):
         overlay = overlay_of(design)
         corners, shift = overlay.figures()[beside]
         F = overlay.scene.F
-        found: dict[tuple[int, ...], list] = {}
+        places: dict[tuple[int, ...], list] = {}
         for tile in range(len(F)):
             own = corners[tile, :3] + shift
             for k in range(3):
                 pair = tuple(sorted((int(F[tile][k]), int(F[tile][(k + 1) % 3]))))
-                found.setdefault(pair, []).append(0.45 * (own[k] + own[(k + 1) % 3]) + 0.1 * own.mean(0))
-        return {pair: places for pair, places in found.items() if len(places) == 2}
+                places.setdefault(pair, []).append(0.45 * (own[k] + own[(k + 1) % 3]) + 0.1 * own.mean(0))
+        return {pair: points for pair, points in places.items() if len(points) == 2}
 
     def edge_near(inner, x, y):
         # That is nearest to a place seen from above, from the middle of the figure.
@@ -176,7 +176,7 @@ def test_cuts_are_picked_in_the_flat_view_as_in_the_actuated_one(pictures):
         settle(400)
         quiet()
 
-    made, design = cutting()
+    document, design = cutting()
     overlay, view = overlay_of(design), FreeCADGui.ActiveDocument.ActiveView
     first = click_edge(design, 0, 0)  # on the target: its layout is what is drawn from now on
     quiet()
@@ -199,7 +199,7 @@ def test_cuts_are_picked_in_the_flat_view_as_in_the_actuated_one(pictures):
     for side in (0, 1):
         click_at_place(inner_edges(design)[pair][side])
         assert edges(design) == chain - {pair}, side
-        made.undo()
+        document.undo()
         settle(600)
         quiet()
         assert edges(design) == chain
@@ -217,7 +217,7 @@ def test_cuts_are_picked_in_the_flat_view_as_in_the_actuated_one(pictures):
         click_at_place(inner[pair][0])
         assert edges(design) == before | {pair}, (beside, edges(design) - before)
         assert picture(f"both-{beside}") > 12
-        made.undo()
+        document.undo()
         settle(600)
         quiet()
         keys("Escape")

@@ -12,7 +12,7 @@ import pytest
 from curveups.project.worker import WORKER
 from curveups.report import exports
 from curveups.window import qt
-from robot import QtGui, click, close_panel, fill, keys, picture, press, settle, until, widget
+from robot import click, close_panel, fill, keys, picture, press, settle, until, widget
 from steps import LIVE, opened, panel, quit_freecad
 
 pytestmark = pytest.mark.freecad(window=True)
@@ -25,16 +25,15 @@ def test_what_comes_after_an_export_is_a_click_away(dome_document, tmp_path, pic
     folder.mkdir()
     (folder / "report.json").write_text(json.dumps({"name": "someone-elses"}))
     press("CurveUps_Export")
-    form = widget("ExportPanel")
-    form.findChild(QtGui.QLineEdit, "folder").setText(str(folder))
-    button, line = form.findChild(QtGui.QPushButton, "write"), form.findChild(QtGui.QLabel, "line")
+    form = panel().form
+    form.folder.setText(str(folder))
     pages = []
     monkeypatch.setattr(qt.QtGui.QDesktopServices, "openUrl", lambda url: pages.append(url.toLocalFile()))
-    click(button)
-    until(lambda: not LIVE.busy and "open the report" in line.text(), 120, "the files")
+    click(form.write)
+    until(lambda: not LIVE.busy and "open the report" in form.line.text(), 120, "the files")
     assert json.loads((folder / "report.json").read_text("utf-8"))["name"] == design.Label
     picture("written")
-    line.setFocus()
+    form.line.setFocus()
     for _ in range(3):
         keys("Tab")
         keys("Return")
@@ -63,23 +62,22 @@ def lingering(late):
 @pytest.mark.all
 @pytest.mark.parametrize("end", ["cancel", "close"])
 def test_an_export_that_is_cut_off_leaves_no_report(dome_document, tmp_path, pictures, monkeypatch, end):
-    """By Cancel, or as its document is closed: no new file stands beside a report of others."""
+    """Cancel, or closing the document, leaves no new file beside a report of others."""
     document, design = opened(dome_document)
     press("CurveUps_Export")
-    form = widget("ExportPanel")
-    form.findChild(QtGui.QLineEdit, "folder").setText(str(tmp_path / "prints"))
-    button, line = form.findChild(QtGui.QPushButton, "write"), form.findChild(QtGui.QLabel, "line")
-    click(button)
-    until(lambda: not LIVE.busy and "open the report" in line.text(), 120, "the files")
+    form = panel().form
+    form.folder.setText(str(tmp_path / "prints"))
+    click(form.write)
+    until(lambda: not LIVE.busy and "open the report" in form.line.text(), 120, "the files")
 
     late = threading.Event()
     monkeypatch.setattr(exports, "_writer", lingering(late))
-    fill(form.findChild(QtGui.QAbstractSpinBox, "deviation"), "0.02 mm")
-    click(button)
+    fill(form.deviation, "0.02 mm")
+    click(form.write)
     until(late.is_set, 120, "a file in the middle")
     assert any(name.startswith(".") for name in os.listdir(tmp_path / "prints"))
     if end == "cancel":
-        click(form.findChild(QtGui.QPushButton, "cancel"))
+        click(form.cancel)
     else:
         FreeCAD.closeDocument(document.Name)
     until(lambda: WORKER.settled, 60, "the thread to end")
@@ -107,7 +105,7 @@ def quit_in_mid_export(path, folder, left):
 
 @pytest.mark.all
 def test_FreeCAD_can_be_quit_in_mid_export(elsewhere, dome_document, tmp_path):
-    """By itself, to its very end: no thread is left, and no file beside a report of others."""
+    """FreeCAD ends by itself: no thread is left, and no file beside a report of others."""
     folder, left = tmp_path / "prints", tmp_path / "left"
     folder.mkdir()
     (folder / "report.json").write_text(json.dumps({"name": "Design", "valid": True}))

@@ -7,11 +7,10 @@ import pytest
 from curveups.features import document as designs
 from curveups.features.document import new_design
 from curveups.window.commands import menus
-from curveups.window.commands.command import no_design
-from curveups.window.overlays import overlay_of
-from curveups.window.panels.export import ExportPanel
-from curveups.window.panels.panel import show
-from curveups.window.panels.solve import SolvePanel
+from curveups.window.export import ExportPanel
+from curveups.window.overlays import no_design, overlay_of
+from curveups.window.panel import show
+from curveups.window.solve import SolvePanel
 from robot import (QtCore, QtGui, action, choose, choose_file, click, click_at, entry_of, fill, in_dialog,
                    keys, menu_bar, menu_of, picture, press, settle, until, widget, window)
 from steps import ENGLISH, LIVE, example, opened, panel
@@ -52,9 +51,9 @@ def test_german(tmp_path):
 
 
 def menu_texts():
-    """Of the menu CurveUps, with the titles of menus below it."""
-    top = next(one for one in window.menuBar().actions() if one.text() == "&CurveUps")
-    return [one.text().replace("&", "") for one in menu_of(top).actions() if not one.isSeparator()]
+    """Entries of the menu CurveUps, with the titles of menus below it."""
+    top = next(entry for entry in window.menuBar().actions() if entry.text() == "&CurveUps")
+    return [entry.text().replace("&", "") for entry in menu_of(top).actions() if not entry.isSeparator()]
 
 
 @pytest.mark.all
@@ -71,19 +70,19 @@ def test_menus_follow_each_change_of_the_language():
         FreeCADGui.setLocale(language)
         until(lambda: menu_texts() == texts, 10, f"{texts} in place of {menu_texts()}")
         # FreeCAD translates the titles itself, with each change anew.
-        assert [titles[-1] for titles, _ in menus()] == ["&CurveUps", "Design", "Show", "&CurveUps", "Help"]
+        assert [titles[-1] for titles, _ in menus()] == ["&CurveUps", "Design", "Show", "Examples", "Help"]
         for name, active in (("NewDesign", True), ("Solve", False)):  # FreeCAD asks after each event
             assert FreeCADGui.Command.get(f"CurveUps_{name}").isActive() == active
         assert reason in solve.toolTip(), solve.toolTip()
 
 
 def test_errors_are_german(tmp_path, pictures):
-    """Of the native module and of a reader, with the numbers and names that stand in them."""
+    """Errors of the native module and of a reader, with their numbers and names."""
     FreeCADGui.setLocale("German")
     try:
-        made, design = example("half-sphere", L=14)
+        document, design = example("half-sphere", L=14)
         design.PMin, design.PMax = 2, 1
-        made.recompute()
+        document.recompute()
         assert "PMin (2 mm) is larger than PMax (1 mm)" in design.Reasons[0]  # for scripts
         design.ViewObject.doubleClicked()
         until(lambda: panel() is not None, 10, "the panel")
@@ -97,7 +96,7 @@ def test_errors_are_german(tmp_path, pictures):
         (tmp_path / "cut.stl").write_text("solid cut\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n")
         FreeCADGui.Selection.clearSelection()
         in_dialog(lambda: press("CurveUps_NewDesign"), lambda: choose_file(str(tmp_path / "cut.stl")))
-        until(lambda: len(designs.designs(made)) == 2, 10, "a design")
+        until(lambda: len(designs.designs(document)) == 2, 10, "a design")
         press("CurveUps_Solve")
         until(lambda: not LIVE.busy and panel().form.line.text(), 30, "the refusal")
         assert "die Datei endet zu früh" in panel().form.line.text(), panel().form.line.text()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The overlay in FreeCAD's window: its pictures, what the mouse does on it, and what outlives a document."""
+"""The overlay in FreeCAD's window: its pictures, the mouse on it, and choices that outlive a document."""
 
 import dataclasses
 import gc
@@ -57,7 +57,7 @@ def pixel_of(view, point):
 
 
 def picture_of(view, pictures, name):
-    """Of the view, in its own pixels."""
+    """Picture of the view, in its own pixels."""
     path = str(pictures / f"{name}.png")
     view.saveImage(path, *size(view), "White")
     image = QtGui.QImage(path)
@@ -89,9 +89,9 @@ def click_on(view, pixel):
 
 
 def picked(view, pixel, design):
-    found = pick(view, pixel, design)
-    assert found is not None
-    return found
+    picked_tile = pick(view, pixel, design)
+    assert picked_tile is not None
+    return picked_tile
 
 
 def third(corners, tile, edge):
@@ -105,23 +105,23 @@ def test_colours_are_those_of_the_values(dome_document, pictures):
     design.ViewObject.ColourMap = "Viridis"
     assert overlay.fields()[:2] == ["Normal force", "Friction ratio"], overlay.fields()
     overlay.set_field("Normal force")
-    one, scene = overlay.field(), overlay.scene
+    field, scene = overlay.field(), overlay.scene
     image = picture_of(view, pictures, "flat")
-    for number, share in ((one.order[0], 0), (one.order[-1], 1)):
+    for number, share in ((field.order[0], 0), (field.order[-1], 1)):
         expected = colours.sample("Viridis", np.array(share))
         for k in (0, 1):
             point = third(overlay.figures()[0][0], scene.contacts[number, k], scene.sides[number, k])
-            found = colour(image, pixel_of(view, point))
-            shade = found.max() / expected.max()  # the lights of FreeCAD 1 are dimmer
-            assert 0.7 < shade < 1.15, (number, found, expected)
-            assert np.abs(found - shade * expected).max() < 0.13, (number, found, expected)
+            rgb = colour(image, pixel_of(view, point))
+            shade = rgb.max() / expected.max()  # the lights of FreeCAD 1 are dimmer
+            assert 0.7 < shade < 1.15, (number, rgb, expected)
+            assert np.abs(rgb - shade * expected).max() < 0.13, (number, rgb, expected)
     # A contact is drawn beside its edge and nowhere else: at the boundary there is none.
     sides = {(int(t), int(e)) for t, e in zip(scene.contacts.ravel(), scene.sides.ravel())}
     free = next((t, e) for t in range(len(scene.F)) for e in range(3) if (t, e) not in sides)
-    found = colour(image, pixel_of(view, third(overlay.figures()[0][0], *free)))
-    assert np.ptp(found) < 0.05, found
+    rgb = colour(image, pixel_of(view, third(overlay.figures()[0][0], *free)))
+    assert np.ptp(rgb) < 0.05, rgb
     # Another range, another colour; another field, another picture; none, a plain one.
-    overlay.set_range((one.values.max() * 2, one.values.max() * 3))
+    overlay.set_range((field.values.max() * 2, field.values.max() * 3))
     assert picture_of(view, pictures, "range") != image
     overlay.set_field("Gap")
     gap = picture_of(view, pictures, "gap")
@@ -150,8 +150,8 @@ def test_colours_are_those_of_the_values(dome_document, pictures):
     # Problems are marked by a shape on a white disc, and counted in the legend.
     overlay.set_morph(0)
     design.ViewObject.Pins = False
-    weak = dataclasses.replace(one, limit=float(np.sort(one.values)[3]))
-    overlay.show_scene(dataclasses.replace(scene, fields={**scene.fields, one.name: weak}))
+    weak = dataclasses.replace(field, limit=float(np.sort(field.values)[3]))
+    overlay.show_scene(dataclasses.replace(scene, fields={**scene.fields, field.name: weak}))
     assert 0 < len(weak.problems) <= 3
     content = overlay.legend.content
     assert content is not None
@@ -193,7 +193,7 @@ def test_the_legend_stands_on_its_paper(screen, dome_document, pictures):
 def test_picking_gives_tiles_and_edges(dome_document, pictures):
 
     def selected():
-        return [(one.ObjectName, *one.SubElementNames) for one in FreeCADGui.Selection.getSelectionEx()]
+        return [(obj.ObjectName, *obj.SubElementNames) for obj in FreeCADGui.Selection.getSelectionEx()]
 
     document, design, view, overlay = opened(dome_document)
     scene = overlay.scene
@@ -203,10 +203,10 @@ def test_picking_gives_tiles_and_edges(dome_document, pictures):
         assert selected() == [("Design", f"T{tile + 1:05d}")], (tile, selected())
         assert overlay.selected == [tile]
         assert "Normal force" in FreeCADGui.getMainWindow().statusBar().currentMessage()
-        found = picked(view, pixel, design)
-        assert (found.tile, found.edge) == (tile, edge), (tile, edge, found)
-        assert found.vertices == (scene.F[tile, edge], scene.F[tile, (edge + 1) % 3])
-        assert np.abs(found.point - third(overlay.figures()[0][0], tile, edge)).max() < 0.2, found.point
+        point = picked(view, pixel, design)
+        assert (point.tile, point.edge) == (tile, edge), (tile, edge, point)
+        assert point.vertices == (scene.F[tile, edge], scene.F[tile, (edge + 1) % 3])
+        assert np.abs(point.point - third(overlay.figures()[0][0], tile, edge)).max() < 0.2, point.point
     width, height = size(view)
     assert pick(view, (width - 3, 3), design) is None
     # The same tile lights up wherever it is drawn, and is picked there.
@@ -239,8 +239,8 @@ def test_picking_gives_tiles_and_edges(dome_document, pictures):
     design.Placement.Base = FreeCAD.Vector(30, 20, 0)
     settle(200)
     pixel = pixel_of(view, third(corners, 20, 0) + [30, 20, 0])
-    found = picked(view, pixel, design)
-    assert found.tile == 20 and np.abs(found.point - third(corners, 20, 0) - [30, 20, 0]).max() < 0.2
+    point = picked(view, pixel, design)
+    assert point.tile == 20 and np.abs(point.point - third(corners, 20, 0) - [30, 20, 0]).max() < 0.2
 
 
 def test_what_is_chosen_is_kept_in_the_document(dome_document, tmp_path, pictures):
@@ -276,8 +276,8 @@ def test_it_follows_document_solver_and_panels(dome_document, pictures):
     def spread(image):
         # How far apart colours are in the middle of a picture.
         wide, high = image.width() // 60, image.height() // 60
-        found = [colour(image, (x * wide, y * high)) for x in range(20, 40) for y in range(20, 40)]
-        return float(np.std([np.ptp(rgb) for rgb in found if np.ptp(rgb) > 0.02] or [0]))
+        pixels = [colour(image, (x * wide, y * high)) for x in range(20, 40) for y in range(20, 40)]
+        return float(np.std([np.ptp(rgb) for rgb in pixels if np.ptp(rgb) > 0.02] or [0]))
 
     document, design, view, overlay = opened(dome_document)
     before = overlay.scene
@@ -344,11 +344,11 @@ def test_it_follows_document_solver_and_panels(dome_document, pictures):
     FreeCADGui.runCommand("CurveUps_WorstContacts")
     settle(300)
     rows = FreeCADGui.getMainWindow().findChild(QtGui.QTableWidget, "rows")
-    one = overlay.field()
-    assert rows.rowCount() == len(one.order)
+    field = overlay.field()
+    assert rows.rowCount() == len(field.order)
     rows.selectRow(0)
     settle(300)
-    assert sorted(overlay.selected) == sorted(overlay.scene.contacts[one.order[0]])
+    assert sorted(overlay.selected) == sorted(overlay.scene.contacts[field.order[0]])
     FreeCADGui.Control.closeDialog()
     settle(100)
     FreeCADGui.runCommand("CurveUps_Overlay")

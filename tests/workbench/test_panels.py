@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What panels and legends follow besides the design: other designs, the unit schema, scripts; FreeCAD that is
-quit in mid-run."""
+"""Panels and legends follow other designs, the unit schema and scripts; FreeCAD is quit in mid-run."""
 
 import FreeCAD
 import FreeCADGui
@@ -12,8 +11,8 @@ from curveups.features.live import stored
 from curveups.window.notice import shown
 from curveups.window.overlay import legend
 from curveups.window.overlays import overlay_of
-from curveups.window.panels.panel import show
-from curveups.window.panels.solve import SolvePanel
+from curveups.window.panel import show
+from curveups.window.solve import SolvePanel
 from robot import click, click_item, cut_off, picture, QtGui, settle, tidy, until, widget
 from steps import enter, in_units, LIVE, opened, quit_freecad
 
@@ -32,9 +31,9 @@ def test_legends_of_two_designs_stand_side_by_side(dome_document, pictures):
     other = document.copyObject(design, True)
     other.Label, other.Placement.Base = "The other", (150, 0, 0)
     tidy()
-    for one in (design, other):
-        one.Tiles.ViewObject.Visibility = one.Anchors.ViewObject.Visibility = False
-        one.ViewObject.Visibility = True
+    for obj in (design, other):
+        obj.Tiles.ViewObject.Visibility = obj.Anchors.ViewObject.Visibility = False
+        obj.ViewObject.Visibility = True
     settle(500)
     left, right = first.legend, overlay_of(other).legend
     assert left.content is not None and right.content is not None
@@ -102,7 +101,7 @@ def quit_in_mid_run(pictures, left):
 
 @pytest.mark.all
 def test_FreeCAD_can_be_quit_in_mid_run(elsewhere, tmp_path):
-    """By itself, to its very end, with no thread left in the solver."""
+    """FreeCAD ends by itself, with no thread left in the solver."""
     left = tmp_path / "left"
     elsewhere(quit_in_mid_run, tmp_path / "pictures", left, window=True, ends=True)
     assert left.read_text("utf-8") == "[0] False False"
@@ -154,18 +153,18 @@ def test_the_process_window_is_shown_until_the_design_changes(german, dome_docum
     assert not rows.isVisible()
     click(panel.form.verify)
     until(lambda: rows.isVisible() and not LIVE.busy, 120, "the process window")
-    report = {one.parameter: one for one in stored(design).latest("settle").window}
+    report = {row.parameter: row for row in stored(design).latest("settle").window}
     assert rows.topLevelItemCount() == len(report)
-    for number, one in enumerate(report.values()):
+    for number, row in enumerate(report.values()):
         item = rows.topLevelItem(number)
-        for column, (end, failure) in enumerate(zip(one.ends, one.failures), 1):
-            assert (item.text(column)[0] in "≤≥") == (end is None) == (item.toolTip(column) == ""), one
+        for column, (end, failure) in enumerate(zip(row.ends, row.failures), 1):
+            assert (item.text(column)[0] in "≤≥") == (end is None) == (item.toolTip(column) == ""), row
     assert cut_off(panel.form) == []
     picture("window")
 
     # A click on an end shows what fails first beyond it.
-    number, column, failure = next((number, column, failure) for number, one in enumerate(report.values())
-                                   for column, failure in enumerate(one.failures, 1)
+    number, column, failure = next((number, column, failure) for number, row in enumerate(report.values())
+                                   for column, failure in enumerate(row.failures, 1)
                                    if failure and failure.tiles)
     click_item(rows, rows.topLevelItem(number), column)
     until(lambda: overlay_of(design).selected == sorted(failure.tiles), 10, "the tiles that fail first")

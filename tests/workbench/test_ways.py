@@ -22,13 +22,13 @@ def entry(name):
 
 def check(name, start, design, pages):
     """start() is the user's way to the command; then what it is for has happened."""
-    made, short = design.Document, name.split("_")[1]
+    document, short = design.Document, name.split("_")[1]
     until(lambda: FreeCADGui.Command.get(name).isActive(), 10, name)
-    undos = list(made.UndoNames)
+    undos = list(document.UndoNames)
     if short in ("NewDesign", "Target"):
         FreeCADGui.Selection.clearSelection()
         in_dialog(start, lambda: keys("Escape"))
-        assert list(made.UndoNames) == undos
+        assert list(document.UndoNames) == undos
         return
     documents = FreeCAD.listDocuments()
     start()
@@ -37,7 +37,7 @@ def check(name, start, design, pages):
         at_rest()
         assert panel().design == design and "valid" in panel().form.verdict.text()
         if short != "BuildSolids":
-            assert list(made.UndoNames)[0] == short, (name, made.UndoNames)
+            assert list(document.UndoNames)[0] == short, (name, document.UndoNames)
     elif short == "Actuate":
         until(lambda: panel() is not None, 10, f"{name} to begin")
         at_rest()
@@ -60,8 +60,8 @@ def check(name, start, design, pages):
         LIVE.cancel()
         leave()
         FreeCAD.closeDocument(other.Name)
-        FreeCADGui.ActiveDocument = FreeCADGui.getDocument(made.Name)
-        FreeCAD.setActiveDocument(made.Name)
+        FreeCADGui.ActiveDocument = FreeCADGui.getDocument(document.Name)
+        FreeCAD.setActiveDocument(document.Name)
     elif short == "Guide":
         widget("CurveUpsGuide").close()
     elif short == "SolverStatus":
@@ -103,9 +103,8 @@ def prepared(dome_document, tmp_path):
 
 @pytest.fixture
 def known(prepared):
-    """Commands by what they are called in menus, without the menu of examples."""
-    return {entry(name): name for name in FreeCADGui.listCommands()
-            if name.startswith("CurveUps_") and name != "CurveUps_Examples"}
+    """Commands by their texts in menus."""
+    return {entry(name): name for name in FreeCADGui.listCommands() if name.startswith("CurveUps_")}
 
 
 def test_every_entry_of_the_menu(prepared, known, pages):
@@ -136,15 +135,15 @@ def shown(part):
 def test_the_first_layout_of_ones_own_part_takes_its_place(pictures):
     import Part
 
-    made = begin()
-    part = made.addObject("Part::Feature", "Cap")
+    document = begin()
+    part = document.addObject("Part::Feature", "Cap")
     part.Shape = Part.makeSphere(40, FreeCAD.Vector(300, 0, 0), FreeCAD.Vector(0, 0, 1), 35)
-    made.recompute()
+    document.recompute()
     FreeCADGui.Selection.addSelection(part)
     press("CurveUps_NewDesign")
-    design = made.Design
+    design = document.Design
     design.L = 12
-    made.recompute()
+    document.recompute()
     press("CurveUps_Solve")
     at_rest()
     assert design.TileCount and not shown(part)
@@ -158,4 +157,4 @@ def test_the_first_layout_of_ones_own_part_takes_its_place(pictures):
     for _ in range(2):
         keys("ctrl+z")
         settle(500)
-    assert design.TileCount == 0 and shown(part), made.UndoNames
+    assert design.TileCount == 0 and shown(part), document.UndoNames

@@ -33,7 +33,7 @@ from .notice import errors_shown, show_error, show_line, words_of
 from .overlay.cameras import active_view
 from .overlay.scene import scene_of
 from .overlays import overlay_of
-from .panels.preferences import draws_live
+from .preferences import draws_live
 from .qt import QtCore, QtWidgets, translate
 
 INTERVAL = 40  # ms between looks at the worker

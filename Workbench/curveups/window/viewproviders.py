@@ -16,8 +16,8 @@ from . import commands, overlays
 from .notice import errors_shown
 from .overlay import watching
 from .overlay.overlay import Overlay
-from .panels.panel import show
-from .panels.solve import SolvePanel
+from .panel import show
+from .solve import SolvePanel
 from .qt import RESOURCES, QtCore, QtGui
 from .run import LIVE
 

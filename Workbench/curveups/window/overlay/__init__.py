@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The overlay: how a Design is drawn in the 3D view, as light as it can be, with figures as colours.
+"""Drawing of a Design in the 3D view, light enough for thousands of tiles, with values as colours.
 
-What is drawn is a Scene (values, no Coin), drawn by a Figure (Coin, no document).
+A Scene has the values, without Coin; a Figure draws it in Coin, without a document.
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The 3D views of a document, and where they look."""
+"""3D views of a document, and their cameras."""
 
 from __future__ import annotations
 
@@ -10,32 +10,24 @@ import FreeCADGui
 import numpy as np
 from pivy import coin
 
-_TILES_ACROSS = 12  # that a view shows when it looks at one
+_TILES_ACROSS = 12  # of a view that looks at one tile
 
 
 def views_of(document: str) -> list:
-    """All 3D views of a document by its name."""
+    """All 3D views of a document."""
     gui = FreeCADGui.getDocument(document)
     return list(gui.mdiViewsOfType("Gui::View3DInventor")) if gui else []
 
 
 def active_view(document: str) -> Optional[Any]:
-    """The 3D view that is in use; None where that is a table, say."""
+    """The 3D view that is in use; None if that is a table, say."""
     gui = FreeCADGui.getDocument(document)
     view = gui.ActiveView if gui else None
     return view if hasattr(view, "getCameraNode") else None
 
 
-def aim(view: Any) -> tuple:
-    """Where a view looks: the same as long as nobody moves the camera."""
-    camera = view.getCameraNode()
-    height = getattr(camera, "height", None) or camera.focalDistance
-    return (*camera.position.getValue().getValue(), *camera.orientation.getValue().getValue(),
-            height.getValue())
-
-
 def look_at(document: str, front: np.ndarray, placement: Any) -> None:
-    """Turns the view that is in use to triangles (K x 3 x 3, mm, before `placement`), head on."""
+    """Turn the view that is in use to triangles (K x 3 x 3, mm, before `placement`), head on."""
     view = active_view(document) or next(iter(views_of(document)), None)
     if view is None or not len(front):
         return
@@ -53,7 +45,7 @@ def look_at(document: str, front: np.ndarray, placement: Any) -> None:
 
 
 def shift(document: str, step: Any) -> None:
-    """Moves the cameras of all views by a vector, mm."""
+    """Move the cameras of all views of a document by a vector, mm."""
     if step.Length > 0:
         for view in views_of(document):
             camera = view.getCameraNode()

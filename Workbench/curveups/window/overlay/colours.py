@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Colour maps that keep their order without red and green, and as grey."""
+"""Colour maps that stay ordered without red and green, and as grey."""
 
 from __future__ import annotations
 
@@ -14,31 +14,31 @@ _MAPS = {
 }
 NAMES = tuple(_MAPS)
 SIGNED = "Blue-Orange"  # for values of both signs: white is 0
-NOTHING = (0.62, 0.62, 0.62)  # where there is no value
-PLAIN = (0.91, 0.79, 0.56)    # tiles without any field
+NOTHING = (0.62, 0.62, 0.62)  # no value
+PLAIN = (0.91, 0.79, 0.56)    # no field
 PIN = (0.71, 0.40, 0.11)
 MEMBRANE = (0.35, 0.55, 0.85)
 MARK = (0.85, 0.11, 0.38)
 
 
 def sample(name: str, share: np.ndarray) -> np.ndarray:
-    """... x 3 colours (sRGB, 0 to 1) at shares of a map from 0 to 1; shares beyond are clipped, and
-    where they are no number there is NOTHING."""
+    """Colours (sRGB, 0 to 1, ... x 3) of a map at shares from 0 to 1. Shares beyond are clipped; NaN gives
+    NOTHING."""
     steps = np.array([[int(text[k : k + 2], 16) for k in (0, 2, 4)] for text in _MAPS[name]]) / 255
     share = np.asarray(share, float)
     known = ~np.isnan(share)
-    place = np.clip(np.where(known, share, 0), 0, 1) * (len(steps) - 1)
-    found = np.stack([np.interp(place, np.arange(len(steps)), steps[:, k]) for k in range(3)], axis=-1)
-    return np.where(known[..., None], found, NOTHING)
+    position = np.clip(np.where(known, share, 0), 0, 1) * (len(steps) - 1)
+    rgb = np.stack([np.interp(position, np.arange(len(steps)), steps[:, k]) for k in range(3)], axis=-1)
+    return np.where(known[..., None], rgb, NOTHING)
 
 
 def faded(rgb: np.ndarray) -> np.ndarray:
-    """Colours of a picture that is out of date: pale and near grey, in their order."""
+    """Pale colours in the same order, for what is out of date."""
     return 0.72 + 0.28 * np.asarray(rgb)
 
 
 def shares(values: np.ndarray, low: float, high: float) -> np.ndarray:
-    """Values as shares of a range (infinite ones at its ends); a range without width has 0 and 1 alone."""
+    """Values as shares of a range, infinite ones at its ends; 0 or 1 in a range without width."""
     values = np.asarray(values, float)
     if high > low:
         with np.errstate(invalid="ignore"):
@@ -47,6 +47,6 @@ def shares(values: np.ndarray, low: float, high: float) -> np.ndarray:
 
 
 def packed(rgb: np.ndarray, alpha: float = 1.0) -> np.ndarray:
-    """... colours (0 to 1, ... x 3) as Coin packs them: 0xRRGGBBAA."""
+    """Colours (0 to 1, ... x 3) as Coin packs them: 0xRRGGBBAA."""
     bytes_ = np.rint(np.clip(rgb, 0, 1) * 255).astype(np.uint32)
     return (bytes_[..., 0] << 24 | bytes_[..., 1] << 16 | bytes_[..., 2] << 8 | np.uint32(round(255 * alpha)))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lists the fields that can colour tiles and contacts, as far as a project has come.
+"""Fields: values that can colour tiles and contacts, by stages of a project.
 
-A field is computed when it is first looked at. To add one: a line in the function of its stage. Names and
-problems, written as literals, are translated where they are shown.
+A field is computed at its first use. To add one: a line in the function of its stage. Names and problems are
+written as literals, and translated when they are shown.
 """
 
 from __future__ import annotations
@@ -21,17 +21,19 @@ TILE, SIDE, CONTACT, MEMBRANE = "tile", "side", "contact", "membrane"
 
 @dataclass(frozen=True)
 class Field:
-    """`unit`: as FreeCAD spells it, empty for ratios. `on`: what there is a value for: every tile (M), the
-    front and back of every tile (M x 2), every contact (N), or every triangle of the membranes. `limit`:
-    values on the `bad` side of it ("low", "high") are problems, marked by `mark`. `signed`: 0 is the
-    middle. `part`: the object below the Design that says whether the values are up to date."""
+    """Values of every tile (M), of front and back of every tile (M x 2), of every contact (N), or of every
+    triangle of the membranes, as `on` says.
+
+    `unit`: as FreeCAD spells it, empty for ratios. `limit`: values on the `bad` side of it ("low", "high")
+    are problems, marked by `mark`. `signed`: 0 is the middle. `part`: the object below the Design whose state
+    is that of the values. `shape`: of the values if they can't be computed."""
 
     name: str
     unit: str
     on: str
     make: Callable[[], Any]
     bad: str = ""
-    limit: Any = None  # a number, or a function that makes one a value
+    limit: Any = None
     mark: str = ""
     problem: str = ""
     signed: bool = False
@@ -40,7 +42,7 @@ class Field:
 
     @cached_property
     def values(self) -> np.ndarray:
-        """NaN where there is none; everywhere, in `shape`, where they can't be had of this design."""
+        """Values; NaN if there is none, and all NaN if they can't be computed for this design."""
         try:
             return np.asarray(self.make(), float)
         except native.Error:
@@ -51,15 +53,15 @@ class Field:
         """Numbers of tiles or contacts beyond the limit."""
         if self.limit is None or not self.bad or self.on == MEMBRANE:
             return np.empty(0, int)
-        limit = np.asarray(self.limit() if callable(self.limit) else self.limit, float)
-        with np.errstate(invalid="ignore"):  # values and limits may be infinite
-            over, slack = self.values - limit, 1e-6 * np.maximum(1.0, np.abs(limit))
-            found = over < -slack if self.bad == "low" else over > slack
-        return np.flatnonzero(found.reshape(len(found), -1).any(axis=1))
+        slack = 1e-6 * max(1.0, abs(self.limit))
+        with np.errstate(invalid="ignore"):  # values may be infinite
+            over = self.values - self.limit
+            beyond = over < -slack if self.bad == "low" else over > slack
+        return np.flatnonzero(beyond.reshape(len(beyond), -1).any(axis=1))
 
     @cached_property
     def order(self) -> np.ndarray:
-        """Numbers of what has a value, the worst first."""
+        """Numbers of tiles or contacts that have a value, the worst first."""
         values = self.worst
         known = np.flatnonzero(~np.isnan(values))
         keys = np.abs(values[known]) if self.signed else values[known]
@@ -67,7 +69,7 @@ class Field:
 
     @cached_property
     def worst(self) -> np.ndarray:
-        """One value for each tile or contact, the worse one of a tile's sides."""
+        """Values by tile or contact: the worse of a tile's sides."""
         if self.values.ndim == 1:
             return self.values
         with np.errstate(invalid="ignore"):
@@ -77,17 +79,17 @@ class Field:
 
     @property
     def size(self) -> float:
-        """About how large the values are."""
+        """Magnitude of the values."""
         low, high = self.automatic_range()
         return max(abs(low), abs(high))
 
     def automatic_range(self) -> tuple[float, float]:
-        """All but the hundredth of values at either end; about 0 where signed. Where they are all alike, from
-        half of that to half as much again, and from 0 to 1 where they are all 0."""
+        """Range of all but the hundredth of values at either end, about 0 if signed. Equal values get a range
+        from half to half as much again, and zeros from 0 to 1."""
         values = self.values[np.isfinite(self.values)]
         if not len(values):
             return 0.0, 1.0
-        low, high = (float(x) for x in np.percentile(values, (1, 99)))
+        low, high = map(float, np.percentile(values, (1, 99)))
         if self.signed:
             low, high = -max(abs(low), abs(high)), max(abs(low), abs(high))
         if high - low <= 1e-9 * max(abs(low), abs(high), 1e-9):
@@ -98,71 +100,70 @@ class Field:
 
 def target_fields(V: np.ndarray, F: np.ndarray, cuts: np.ndarray, parameters: Any, contacts: np.ndarray,
                   judge: bool) -> list[Field]:
-    """Of a target before any layout; `judge`: whether their limits are problems (a layout knows better).
+    """Fields of a target before any layout. judge: values beyond their limits are problems; with a layout
+    they are not, since it has made room.
 
-    Stretch has no limit: it is that of the start, scaled so that the median tile fits, and half of all
-    tiles begin below what leaves them their gaps."""
-    found = cache(lambda: native.target_figures(V, F, cuts, parameters))
+    Stretch has no limit: it is that of the start, scaled so that the median tile fits, and half of all tiles
+    begin below the stretch that leaves their gaps."""
+    figures = cache(lambda: native.target_figures(V, F, cuts, parameters))
     limits: dict[str, Any] = {"limit": 0.0} if judge else {}
     return [
-        Field("Dihedral angle", "deg", CONTACT, lambda: _by_contact(found(), "dihedral", contacts),
+        Field("Dihedral angle", "deg", CONTACT, lambda: _by_contact(figures(), "dihedral", contacts),
               signed=True, shape=(len(contacts),)),
-        Field("Pin area margin", "mm^2", SIDE, lambda: found().pin_area - parameters.get("A_pin_min"), "low",
+        Field("Pin area margin", "mm^2", SIDE,
+              lambda: figures().pin_area - parameters.get("A_pin_min"), "low",
               mark="diamond", problem="tiles with less space for pins than APinMin, before Solve makes space",
               shape=(len(F), 2), **limits),
-        Field("Conformal stretch", "", TILE, lambda: found().stretch, "low",
-              shape=(len(F),))]
+        Field("Conformal stretch", "", TILE, lambda: figures().stretch, "low", shape=(len(F),))]
 
 
-def check_fields(found: Any, parameters: Any, contacts: np.ndarray) -> list[Field]:
-    """Of a target that was checked (stages/feasibility.py): margins, after pins have made room for
-    themselves, and the tiles that something is in the way of, by how many things that are."""
-    count = len(found.F)
-    margins = {"contact_tiles": found.contacts, "dihedral_margin": found.dihedral_margin}
+def check_fields(check: Any, parameters: Any, contacts: np.ndarray) -> list[Field]:
+    """Fields of a check (stages/feasibility.py): margins, after smoothing has made room for pins, and the
+    number of obstacles of each tile."""
+    count = len(check.F)
     floor = parameters.get("A_pin_floor") - parameters.get("A_pin_min")
-    tiles = [one.tile for one in found.blocked]
+    tiles = [obstacle.tile for obstacle in check.blocked]
     return [
-        Field("Dihedral margin", "deg", CONTACT, lambda: aligned(margins, "dihedral_margin", contacts), "low",
-              0.0, shape=(len(contacts),)),
-        Field("Pin area margin", "mm^2", SIDE, lambda: found.pin_area_margin, "low", floor, shape=(count, 2)),
-        Field("Membrane clearance", "mm", SIDE, lambda: found.membrane_clearance, "low",
+        Field("Dihedral margin", "deg", CONTACT,
+              lambda: _by_contact(check, "dihedral_margin", contacts), "low", 0.0, shape=(len(contacts),)),
+        Field("Pin area margin", "mm^2", SIDE, lambda: check.pin_area_margin, "low", floor, shape=(count, 2)),
+        Field("Membrane clearance", "mm", SIDE, lambda: check.membrane_clearance, "low",
               SAG * parameters.get("H_pin"), shape=(count, 2)),
         Field("Obstacles", "", TILE, lambda: np.bincount(tiles, minlength=count), "high", 0.5, "cross",
               problem="tiles that can't be made or are likely to fail", shape=(count,))]
 
 
 def design_fields(design: Any, contacts: np.ndarray) -> list[Field]:
-    """Of a layout without its membranes."""
-    found = cache(lambda: native.evaluate_design(design))
+    """Fields of a layout without its membranes."""
+    figures = cache(lambda: native.evaluate_design(design))
     get = design.parameters.get
     return [
-        Field("Gap", "mm", CONTACT, lambda: _by_contact(found(), "gap", contacts), "low", get("d_gap_min"),
+        Field("Gap", "mm", CONTACT, lambda: _by_contact(figures(), "gap", contacts), "low", get("d_gap_min"),
               "square", problem="gaps below DGapMin", part="Layout", shape=(len(contacts),)),
-        Field("Pin area", "mm^2", SIDE, lambda: found().pin_area, "low", get("A_pin_min"), "diamond",
+        Field("Pin area", "mm^2", SIDE, lambda: figures().pin_area, "low", get("A_pin_min"), "diamond",
               problem="tiles with pins below APinMin", part="Layout", shape=(len(design.F), 2))]
 
 
 def deviation_field(V: np.ndarray, F: np.ndarray, part: str, source_V: np.ndarray,
                     source_F: np.ndarray) -> Field:
-    """How far the tiles' front faces are from the surface before remeshing: the largest distance of
-    corners, middles of edges, and centre."""
+    """Distances of the tiles' front faces from the surface before remeshing: the largest of corners, middles
+    of edges, and centre."""
     def make() -> np.ndarray:
         corners = V[F]
         samples = np.concatenate([corners, (corners + np.roll(corners, 1, axis=1)) / 2,
                                   corners.mean(1, keepdims=True)], axis=1)
-        found = native.distances(samples.reshape(-1, 3), source_V, source_F)
-        return np.reshape(found, samples.shape[:2]).max(axis=1)
+        distances = native.distances(samples.reshape(-1, 3), source_V, source_F)
+        return np.reshape(distances, samples.shape[:2]).max(axis=1)
 
     return Field("Deviation", "mm", TILE, make, "high", part=part, shape=(len(F),))
 
 
 def force_fields(verification: Any, contacts: np.ndarray, parameters: Any) -> list[Field]:
-    """Of the physical model."""
+    """Fields of a verification."""
     arrays, blocks = verification.arrays, verification.blocks
     forces = blocks.get("contact_forces", {})
     f_min = forces.get("f_min")
-    # Least squares need more friction than there is where other forces need less: only where there are
-    # none that hold is it a problem.
+    # Least squares may need more friction than other forces do: it is a problem only if no forces hold.
     holds = blocks.get("unilateral", {}).get("feasible", True)
     slipping = None if holds else parameters.get("friction_coefficient")
     fields = []
@@ -177,13 +178,14 @@ def force_fields(verification: Any, contacts: np.ndarray, parameters: Any) -> li
     return fields
 
 
-def path_fields(found: Any, contacts: np.ndarray) -> list[Field]:
+def path_fields(path: Any, contacts: np.ndarray) -> list[Field]:
     """Fields of the built piece (stages/actuation.py)."""
-    still = {tuple(sorted(pair)) for pair in found.states[found.built]["open_contacts"]}
-    return [Field("Distance of the built shape", "mm", TILE, lambda: found.deviation(found.built), "high",
-                  part="Layout", shape=(len(found.design.F),)),
+    still_open = {tuple(sorted(pair)) for pair in path.states[path.built]["open_contacts"]}
+    return [Field("Distance of the built shape", "mm", TILE, lambda: path.deviation(path.built), "high",
+                  part="Layout", shape=(len(path.design.F),)),
             Field("Open contacts", "", CONTACT,
-                  lambda: [tuple(sorted(pair)) in still for pair in contacts.tolist()], "high", 0.5, "cross",
+                  lambda: [tuple(sorted(pair)) in still_open for pair in contacts.tolist()], "high", 0.5,
+                  "cross",
                   problem="contacts that stay open", part="Layout")]
 
 
@@ -197,22 +199,18 @@ def friction_fields(settled: Any, count: int) -> list[Field]:
 
 
 def _by_contact(figures: Any, name: str, contacts: np.ndarray) -> np.ndarray:
-    """Native figures of contacts in the order of `contacts`."""
+    """Values of a contact each, in the order of `contacts`."""
     return aligned({"contact_tiles": figures.contacts, name: getattr(figures, name)}, name, contacts)
 
 
-def aligned(found: Mapping[str, Any], name: str, contacts: np.ndarray) -> np.ndarray:
-    """Values of found["contact_tiles"] in the order of `contacts` (N x 2); NaN where there is none."""
+def aligned(arrays: Mapping[str, Any], name: str, contacts: np.ndarray) -> np.ndarray:
+    """Values of arrays["contact_tiles"] in the order of `contacts` (N x 2 tiles); NaN if there is none."""
     def key(pairs: Any) -> np.ndarray:
         pairs = np.sort(np.asarray(pairs, np.int64).reshape(-1, 2), axis=1)
         return pairs[:, 0] << 32 | pairs[:, 1]
 
-    values, known, asked = np.asarray(found[name], float), key(found["contact_tiles"]), key(contacts)
-    out = np.full((len(asked), *values.shape[1:]), np.nan)
-    if not len(known):
-        return out
-    order = np.argsort(known)
-    place = order[np.searchsorted(known, asked, sorter=order).clip(0, len(known) - 1)]
-    same = known[place] == asked
-    out[same] = values[place[same]]
+    values, known, wanted = np.asarray(arrays[name], float), key(arrays["contact_tiles"]), key(contacts)
+    out = np.full(len(wanted), np.nan)
+    _, to, at = np.intersect1d(wanted, known, return_indices=True)
+    out[to] = values[at]
     return out

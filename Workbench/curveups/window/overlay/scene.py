@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What there is to draw of a project, however far it has come: a value, without a word of Coin."""
+"""Values that are drawn of a project, at any stage of it. Without Coin."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from .prisms import SLOTS
 
 
 def frames(corners: np.ndarray) -> np.ndarray:
-    """M x 3 x 3 rotations whose columns are a triangle's first edge, what is square to it in the plane,
-    and the normal. `corners`: M x 3 x 3, one corner a row, not on one line."""
+    """Rotations (M x 3 x 3) whose columns are the first edge of a triangle, the normal's product with it, and
+    the normal. `corners`: M x 3 x 3, a corner a row, not on one line."""
     along = corners[:, 1] - corners[:, 0]
     normal = np.cross(along, corners[:, 2] - corners[:, 0])
     along = along / np.linalg.norm(along, axis=1, keepdims=True)
@@ -27,7 +27,7 @@ def frames(corners: np.ndarray) -> np.ndarray:
 
 
 def quaternions(rotations: np.ndarray) -> np.ndarray:
-    """M x 4 unit quaternions (w, x, y, z), w at least 0, of M x 3 x 3 rotations."""
+    """Unit quaternions (w, x, y, z; M x 4, w at least 0) of rotations (M x 3 x 3)."""
     r = rotations
     outer = np.empty((len(r), 4, 4))  # four times the quaternion's products with itself
     trace = r[:, 0, 0] + r[:, 1, 1] + r[:, 2, 2]
@@ -38,13 +38,13 @@ def quaternions(rotations: np.ndarray) -> np.ndarray:
         outer[:, i + 1, j + 1] = outer[:, j + 1, i + 1] = r[:, i, j] + r[:, j, i]
     # Any row is a multiple of the quaternion; the longest has the most digits.
     largest = np.argmax(np.einsum("mii->mi", outer), axis=1)
-    found = outer[np.arange(len(r)), largest]
-    found = found / np.linalg.norm(found, axis=1, keepdims=True)
-    return np.where(found[:, :1] < 0, -found, found)
+    longest = outer[np.arange(len(r)), largest]
+    longest = longest / np.linalg.norm(longest, axis=1, keepdims=True)
+    return np.where(longest[:, :1] < 0, -longest, longest)
 
 
 def part_of(turns: np.ndarray, t: float) -> np.ndarray:
-    """M x 3 x 3 rotations by the share t of the angles of quaternions (M x 4)."""
+    """Rotations (M x 3 x 3) by the share t of the angles of quaternions (M x 4)."""
     sine = np.linalg.norm(turns[:, 1:], axis=1)
     half = t * np.arctan2(sine, turns[:, 0])
     safe = np.where(sine > 0, sine, 1)
@@ -56,14 +56,16 @@ def part_of(turns: np.ndarray, t: float) -> np.ndarray:
 
 
 class Motion:
-    """The way of M tiles. `flat`, `actuated`: their front corners, M x 3 x 3 in mm."""
+    """Rigid motions of M tiles. `flat`, `actuated`: their front corners, M x 3 x 3, mm.
+
+    The rotation that is nearest to those of all tiles is applied to the whole, the rest to each tile."""
 
     def __init__(self, flat: np.ndarray, actuated: np.ndarray):
         self._from, to = flat.mean(1), actuated.mean(1)
         own = frames(actuated) @ frames(flat).transpose(0, 2, 1)
         area = np.linalg.norm(np.cross(flat[:, 1] - flat[:, 0], flat[:, 2] - flat[:, 0]), axis=1)
         u, _, vt = np.linalg.svd(np.einsum("m,mij->ij", area, own))
-        whole = u @ np.diag([1, 1, np.linalg.det(u @ vt)]) @ vt  # the rotation nearest to all of them
+        whole = u @ np.diag([1, 1, np.linalg.det(u @ vt)]) @ vt
         self._middle = np.average(self._from, axis=0, weights=area)
         self._shift = np.average(to, axis=0, weights=area) - self._middle
         self._whole = quaternions(whole[None])
@@ -71,29 +73,29 @@ class Motion:
         self._step = (to - self._middle - self._shift) @ whole + self._middle - self._from
 
     def middle(self, t: float) -> np.ndarray:
-        """Where the middle of all tiles is, mm."""
+        """Middle of all tiles, mm."""
         return self._middle + t * self._shift
 
     def move(self, points: np.ndarray, t: float) -> np.ndarray:
-        """Where points on the tiles (M x K x 3, mm, in the flat layout) are at t."""
+        """Positions at t of points on the tiles (M x K x 3, mm, in the flat layout)."""
         whole = part_of(self._whole, t)[0]
         turned = (points - self._from[:, None]) @ part_of(self._own, t).transpose(0, 2, 1)
         gathered = turned + (self._from + t * self._step - self._middle)[:, None]
         return gathered @ whole.T + self.middle(t)
 
     def blend(self, flat: np.ndarray, actuated: np.ndarray, t: float) -> np.ndarray:
-        """The same for what bends on the way: points (K x 3, mm) of which both places are known."""
+        """Positions at t of points (K x 3, mm) that bend on the way, by both their ends."""
         inverse = (actuated - self.middle(1)) @ part_of(self._whole, 1)[0] + self._middle
         return (flat + t * (inverse - flat) - self._middle) @ part_of(self._whole, t)[0].T + self.middle(t)
 
 
-NO_FIELD = "None"  # the name for plain tiles
+NO_FIELD = "None"  # for plain tiles
 
 
 @dataclass(frozen=True)
 class Membrane:
-    """One sheet between its pins: places of its points (P x 3, mm), triangles (K x 3) and the larger
-    principal stretch of each when actuated (K)."""
+    """A membrane between its pins: points (P x 3, mm), triangles (K x 3) and the larger principal stretch of
+    each when actuated (K)."""
 
     flat: np.ndarray
     actuated: np.ndarray
@@ -103,9 +105,9 @@ class Membrane:
 
 @dataclass(frozen=True)
 class Scene:
-    """M tiles (M x 6 x 3, mm; see native.TileShapes) with their contacts: N x 2 tiles, and which edge of
-    each. `flat` is None before there is a layout: the tiles then only have their place on the target.
-    The flat layout lies as it is printed: its lowest pins end at z = 0."""
+    """M tiles (M x 6 x 3, mm; see native.TileShapes) with their contacts (N x 2 tiles, and N x 2 edges of
+    these). `flat` is None before there is a layout. The flat layout lies as it is printed: its lowest pins
+    end at z = 0."""
 
     V: np.ndarray
     F: np.ndarray
@@ -125,13 +127,13 @@ class Scene:
         return None if self.flat is None else Motion(self.flat[:, :3], self.actuated[:, :3])
 
     def tiles_at(self, t: float) -> np.ndarray:
-        """All tiles from the flat layout (t = 0) to the target shape (1), M x 6 x 3."""
+        """Tiles between the flat layout (t = 0) and the target shape (1), M x 6 x 3."""
         if self.flat is None or self.motion is None or t >= 1:
             return self.actuated
         return self.flat if t <= 0 else self.motion.move(self.flat, t)
 
     def pins_at(self, t: float) -> np.ndarray:
-        """All pins, M x 2 x 6 x 3."""
+        """Pins at t, M x 2 x 6 x 3."""
         if self.motion is None or t >= 1:
             return self.actuated_pins
         if t <= 0:
@@ -139,35 +141,32 @@ class Scene:
         return self.motion.move(self.flat_pins.reshape(-1, 12, 3), t).reshape(-1, 2, 6, 3)
 
     def membrane_at(self, membrane: Membrane, t: float) -> np.ndarray:
-        """Points of a membrane, P x 3."""
+        """Points of a membrane at t, P x 3."""
         if self.motion is None or t >= 1:
             return membrane.actuated
         return membrane.flat if t <= 0 else self.motion.blend(membrane.flat, membrane.actuated, t)
 
-    def slots(self, one: Field) -> np.ndarray:
-        """A field's values where they are drawn (M x 6, see prisms); NaN where there is none."""
-        count = len(self.F)
-        if one.on == TILE:
-            return np.repeat(one.values[:, None], SLOTS, axis=1)
-        if one.on == SIDE:
-            return np.repeat(one.values, 3, axis=1)
-        thirds = np.full((count, 3), np.nan)
+    def slots(self, values_of: Field) -> np.ndarray:
+        """Values of a field by slot of colour (M x 6, see prisms); NaN if there is none."""
+        values = values_of.values
+        if values_of.on == TILE:
+            return np.repeat(values[:, None], SLOTS, axis=1)
+        if values_of.on == SIDE:
+            return np.repeat(values, 3, axis=1)
+        thirds = np.full((len(self.F), 3), np.nan)
         for k in (0, 1):
-            thirds[self.contacts[:, k], self.sides[:, k]] = one.values
+            thirds[self.contacts[:, k], self.sides[:, k]] = values
         return np.hstack([thirds, thirds])
 
-    def tile_values(self, one: Field, tile: int) -> list[float]:
-        """A field's values at one tile: its own, those of its two sides, or one a contact."""
-        if one.on == TILE:
-            return [float(one.values[tile])]
-        if one.on == SIDE:
-            return [float(x) for x in one.values[tile]]
-        return [float(x) for x in one.values[(self.contacts == tile).any(axis=1)]]
+    def tile_values(self, values_of: Field, tile: int) -> list[float]:
+        """Values of a field at a tile: its own, those of its two sides, or those of its contacts."""
+        rows = tile if values_of.on in (TILE, SIDE) else (self.contacts == tile).any(axis=1)
+        return [float(value) for value in np.atleast_1d(values_of.values[rows])]
 
-    def places(self, one: Field, numbers: np.ndarray, corners: np.ndarray) -> np.ndarray:
-        """K x 3 points for tiles or contacts by number, a little above the front faces; corners: of all
+    def places(self, values_of: Field, numbers: np.ndarray, corners: np.ndarray) -> np.ndarray:
+        """Points (K x 3) for tiles or contacts by number, a little above the front faces. corners: of all
         tiles, M x 6 x 3."""
-        if one.on in (TILE, SIDE):
+        if values_of.on in (TILE, SIDE):
             return self._above(corners[numbers], corners[numbers, :3].mean(1))
         middles = []
         for k in (0, 1):
@@ -176,9 +175,9 @@ class Scene:
             middles.append(self._above(corners[tiles], middle))
         return (middles[0] + middles[1]) / 2
 
-    def tiles_of(self, one: Field, number: int) -> list[int]:
-        """The tiles that a value belongs to."""
-        return [number] if one.on in (TILE, SIDE) else [int(tile) for tile in self.contacts[number]]
+    def tiles_of(self, values_of: Field, number: int) -> list[int]:
+        """Tiles of the value with that number."""
+        return [number] if values_of.on in (TILE, SIDE) else [int(tile) for tile in self.contacts[number]]
 
     @staticmethod
     def _above(corners: np.ndarray, points: np.ndarray) -> np.ndarray:
@@ -187,14 +186,14 @@ class Scene:
         return points + 0.1 * normal / np.sqrt(np.where(length > 0, length, 1))
 
     def with_membranes(self, membranes: tuple[Membrane, ...]) -> "Scene":
-        """The same with membranes, and what can be said of them."""
+        """The same scene with membranes and the field of their stretch."""
         stretch = Field("Membrane stretch", "", MEMBRANE,
                         lambda: np.concatenate([sheet.stretch for sheet in membranes]), "high",
                         part="Layout")
         return replace(self, membranes=membranes, fields={**self.fields, stretch.name: stretch})
 
     def posed(self, rows: np.ndarray) -> "Scene":
-        """The same tiles where a frame of a path has them (M x 7), about the middle of the actuated ones."""
+        """The same tiles in a frame of a path (M x 7), about the middle of the actuated ones."""
         tiles, pins = (moved(points.reshape(len(rows), -1, 3), rows)
                        for points in (self.actuated, self.actuated_pins))
         step = self.actuated.mean((0, 1)) - tiles.mean((0, 1))
@@ -202,61 +201,54 @@ class Scene:
         return replace(self, actuated=tiles, flat=tiles, actuated_pins=pins, flat_pins=pins, membranes=())
 
     def moved(self, T: np.ndarray, q: np.ndarray) -> "Scene":
-        """The same tiles elsewhere in the layout, as a solver has them (M x 3 x 2 and M x 2 x 3, mm).
-        What was computed of the layout before is gone."""
+        """The same tiles in another layout (M x 3 x 2 and M x 2 x 3, mm), without fields of a layout."""
         shapes = native.tile_shapes_at(self.V, self.F, self.cuts, self.parameters, T, q)
-        known = {name: one for name, one in self.fields.items() if name in _OF_TARGET}
-        return replace(self, **shapes_of(shapes, self.parameters), membranes=(), fields=known)
+        fields = {name: self.fields[name] for name in _OF_TARGET if name in self.fields}
+        return replace(self, **shapes_of(shapes, self.parameters), membranes=(), fields=fields)
 
 
 _OF_TARGET = ("Dihedral angle", "Pin area margin", "Conformal stretch")
 
 
 def scene_of(project: Any) -> Optional[Scene]:
-    """Of a Project; None where there is no target yet. Raises what the native module raises where the
-    shapes can't be had under the parameters as they are."""
-    parameters = project.parameters
-    for name in ("design", "layout"):
-        made = project.latest(name)
-        if made is not None:
-            return _of_design(project, made.design.with_parameters(parameters))
-    return target_scene_of(project)
+    """Scene of a Project; None if there is no target yet. Raises an error of the native module if the
+    parameters allow no such tiles."""
+    result = project.latest("design") or project.latest("layout")
+    if result is None:
+        return target_scene_of(project)
+    return _of_design(project, result.design.with_parameters(project.parameters))
 
 
-def path_scene_of(found: Any) -> Scene:
-    """Of the design whose path from flat this is (stages/actuation.py), for `Scene.posed`."""
-    design, shapes = found.design, native.tile_shapes(found.design)
-    fields = path_fields(found, shapes.contacts)
-    return Scene(design.V, design.F, design.cuts, design.parameters, **shapes_of(shapes, design.parameters),
-                 fields={one.name: one for one in fields})
+def path_scene_of(path: Any) -> Scene:
+    """Scene of the design of a path from flat (stages/actuation.py), for `Scene.posed`."""
+    shapes = native.tile_shapes(path.design)
+    return _scene(path.design, shapes, path_fields(path, shapes.contacts))
 
 
 def target_scene_of(project: Any) -> Optional[Scene]:
-    """Of a Project's target as it is before any layout, though there may be one."""
+    """Scene of a Project's target, also if there is a layout."""
     parameters, target = project.parameters, project.latest("target")
     if target is None:
         return None
     names = ("feasibility", "pin smoothing", "target smoothing", "division")
     check, for_pins, smoothed, division = (_current(project, name) for name in names)
-    V = next((one.V for one in (check, for_pins, smoothed) if one is not None), target.V)
+    V = next((result.V for result in (check, for_pins, smoothed) if result is not None), target.V)
     edges = np.empty((0, 2), np.int32) if division is None else division.edges
     try:
         shapes = shapes_of(native.tile_shapes_at(V, target.F, edges, parameters), parameters)
     except native.Error:
         if check is None:
             raise
-        shapes = _plates(V, target.F, check.contacts)  # it is to be seen why there are no tiles
+        shapes = _plates(V, target.F, check.contacts)  # they show why there are no tiles
     contacts = shapes["contacts"]
     fields = check_fields(check, parameters, contacts) if check is not None else []
-    known = {one.name for one in fields}
-    fields += [one for one in target_fields(V, target.F, edges, parameters, contacts, True)
-               if one.name not in known]
-    fields += _deviation(project, V, target.F, "Target")
-    return Scene(V, target.F, edges, parameters, **shapes, fields={one.name: one for one in fields})
+    fields += [*target_fields(V, target.F, edges, parameters, contacts, True),
+               *_deviation(project, V, target.F, "Target")]
+    return Scene(V, target.F, edges, parameters, **shapes, fields=_by_name(fields))
 
 
 def _plates(V: np.ndarray, F: np.ndarray, contacts: np.ndarray) -> dict[str, Any]:
-    """The front faces as thin plates without pins: members of a Scene as `shapes_of` gives them."""
+    """Front faces as thin plates without pins: members of a Scene, as of `shapes_of`."""
     front = V[F]
     across = np.cross(front[:, 1] - front[:, 0], front[:, 2] - front[:, 0])
     size = np.sqrt(np.linalg.norm(across, axis=1, keepdims=True))
@@ -271,11 +263,11 @@ def _plates(V: np.ndarray, F: np.ndarray, contacts: np.ndarray) -> dict[str, Any
             "contacts": np.asarray(contacts).reshape(-1, 2), "sides": sides}
 
 
-_PLATE = 0.05  # their thickness over about their edge
+_PLATE = 0.05  # thickness of a plate over about its edge
 
 
 def _current(project: Any, name: str) -> Any:
-    """A result that belongs to the target as it is; None where there is none."""
+    """A result of the target as it is; None if there is none."""
     return project.latest(name) if project.out_of_date(name) == () else None
 
 
@@ -283,10 +275,10 @@ def _of_design(project: Any, design: Any) -> Scene:
     shapes, parameters = native.tile_shapes(design), design.parameters
     fields: list[Field] = []
     for name in ("verification", "verification of the layout"):
-        made = project.latest(name)
-        made = getattr(made, "verification", made)
-        if made is not None and made.judged and len(made.design.F) == len(design.F):
-            fields += force_fields(made, shapes.contacts, parameters)
+        result = project.latest(name)
+        result = getattr(result, "verification", result)
+        if result is not None and result.judged and len(result.design.F) == len(design.F):
+            fields += force_fields(result, shapes.contacts, parameters)
             break
     settled = project.latest("settle")
     if settled is not None and settled.design is not None and len(settled.design.F) == len(design.F):
@@ -294,23 +286,35 @@ def _of_design(project: Any, design: Any) -> Scene:
     fields += design_fields(design, shapes.contacts)
     fields += _deviation(project, design.V, design.F, "Layout")
     fields += target_fields(design.V, design.F, design.cuts, parameters, shapes.contacts, False)
-    return Scene(design.V, design.F, design.cuts, parameters, **shapes_of(shapes, parameters),
-                 fields={one.name: one for one in fields})
+    return _scene(design, shapes, fields)
+
+
+def _scene(design: Any, shapes: Any, fields: list[Field]) -> Scene:
+    return Scene(design.V, design.F, design.cuts, design.parameters, **shapes_of(shapes, design.parameters),
+                 fields=_by_name(fields))
+
+
+def _by_name(fields: list[Field]) -> dict[str, Field]:
+    """Fields by name; the first of a name counts."""
+    named: dict[str, Field] = {}
+    for known in fields:
+        named.setdefault(known.name, known)
+    return named
 
 
 def _deviation(project: Any, V: np.ndarray, F: np.ndarray, part: str) -> list[Field]:
-    """None where the surface before remeshing is not known: of a design file, say."""
+    """No field if the surface before remeshing is not known: that of a design file, say."""
     target = project.latest("target")
     return [] if target is None else [deviation_field(V, F, part, *target.given)]
 
 
 def _height(parameters: Any) -> float:
-    """Of the front faces in the print, mm."""
+    """Height of the front faces in the print, mm."""
     return parameters.get("H_body") + parameters.get("H_pin")
 
 
 def shapes_of(shapes: Any, parameters: Any) -> dict[str, Any]:
-    """The arrays of native.TileShapes as members of a Scene."""
+    """Arrays of native.TileShapes as members of a Scene."""
     up = np.array([0, 0, _height(parameters)])
     known = bool(len(shapes.flat))
     return {"actuated": shapes.actuated, "flat": shapes.flat + up if known else None,
@@ -319,12 +323,11 @@ def shapes_of(shapes: Any, parameters: Any) -> dict[str, Any]:
 
 
 def membranes_of(design: Any, job: Any) -> tuple[Membrane, ...]:
-    """Both membranes of a native Design in equilibrium: seconds of work, for a worker's thread. None where
-    nothing is between the pins."""
-    found, get = [], design.parameters.get
+    """Membranes of a native Design in equilibrium: seconds of work, for a worker's thread."""
+    membranes, get = [], design.parameters.get
     top = _height(design.parameters) + get("H_pin")
     for side, z in zip(native.verify_design(design, job).membranes, (top, 0.0)):
         if len(side.triangles):
             flat = np.column_stack([side.flat, np.full(len(side.flat), z)])
-            found.append(Membrane(flat, side.actuated, side.triangles, np.max(side.stretch, axis=1)))
-    return tuple(found)
+            membranes.append(Membrane(flat, side.actuated, side.triangles, np.max(side.stretch, axis=1)))
+    return tuple(membranes)

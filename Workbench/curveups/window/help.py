@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Help: the guide, and the state of the solver."""
+
+from __future__ import annotations
+
+import platform
+import sys
+import sysconfig
+from html import escape
+from pathlib import Path
+from typing import Any, Optional
+
+import FreeCAD
+import FreeCADGui
+
+from .. import __version__
+from ..base.errors import CurveUpsError
+from ..base.native import native
+from .qt import RESOURCES, QtCore, QtGui, QtWidgets, translate
+
+_WIDTH = 640  # of pictures, px
+_guide: Optional[Any] = None
+
+
+def show_guide(_: Any) -> None:
+    """Open the guide in a window of its own."""
+    global _guide
+    if _guide is None:
+        _guide = _make_guide()
+    _guide.show()
+    _guide.raise_()
+
+
+class _Page(QtWidgets.QTextBrowser):
+    """A page whose pictures are at most as wide as the window."""
+
+    def loadResource(self, kind: int, address: Any) -> Any:
+        resource = super().loadResource(kind, address)
+        if kind == QtGui.QTextDocument.ImageResource:
+            picture = QtGui.QImage(self.source().resolved(address).toLocalFile())
+            if picture.width() > _WIDTH:
+                return picture.scaledToWidth(_WIDTH, QtCore.Qt.SmoothTransformation)
+        return resource
+
+
+def _make_guide() -> Any:
+    dialog = QtWidgets.QDialog(FreeCADGui.getMainWindow())
+    dialog.setObjectName("CurveUpsGuide")
+    dialog.setWindowTitle(translate("CurveUps_Guide", "Guide to CurveUps"))
+    page = _Page()
+    page.setObjectName("page")
+    page.setOpenExternalLinks(True)
+    # White as its pictures. Qt writes links in dark blue, whatever the theme.
+    page.setStyleSheet("QTextBrowser { background: white; color: black; }")
+    back = QtWidgets.QPushButton(translate("CurveUps_Guide", "Back"))
+    back.setEnabled(False)
+    back.clicked.connect(lambda *_: page.backward())
+    page.backwardAvailable.connect(back.setEnabled)
+    column = QtWidgets.QVBoxLayout(dialog)
+    column.addWidget(page)
+    column.addWidget(back, 0, QtCore.Qt.AlignLeft)
+    dialog.resize(_WIDTH + 80, 760)
+    page.setSource(QtCore.QUrl.fromLocalFile(str(RESOURCES / "docs" / "guide.md")))
+    return dialog
+
+
+def solver_status() -> list[tuple[str, str]]:
+    """State of the solver, as rows of a table. Works without the native module."""
+    folder = Path(__file__).parents[1]
+    built = sorted(path.name for path in folder.glob("_native*") if path.suffix != ".pyi")
+    rows = [("CurveUps", __version__),
+            ("FreeCAD", ".".join(FreeCAD.Version()[:3])),
+            ("Python", f"{platform.python_version()}, {sysconfig.get_config_var('SOABI') or sys.platform}"),
+            (translate("CurveUps_SolverStatus", "Folder"), str(folder)),
+            (translate("CurveUps_SolverStatus", "Solver"),
+             ", ".join(built) or translate("CurveUps_SolverStatus", "none"))]
+    state = translate("CurveUps_SolverStatus", "State")
+    try:
+        threads = native.thread_count()
+    except CurveUpsError as error:
+        rows += [(state, error.what),
+                 (translate("CurveUps_SolverStatus", "Remedy"), _remedy(folder)),
+                 (translate("CurveUps_SolverStatus", "Meanwhile"),
+                  translate("CurveUps_SolverStatus", "designs can be opened, shown and exported as they are "
+                                                     "stored"))]
+    else:
+        rows.append((state, translate("CurveUps_SolverStatus", "ready; threads: {count}", count=threads)))
+    return rows
+
+
+def _remedy(folder: Path) -> str:
+    setup = folder.parents[1] / "tools" / "setup"
+    if setup.is_file():
+        return translate("CurveUps_SolverStatus", "run {command}, then start FreeCAD again", command=setup)
+    return translate("CurveUps_SolverStatus", "install the package for this FreeCAD's Python again")
+
+
+def show_solver_status(_: Any) -> None:
+    """Show the state of the solver in a box, and in the report view to be copied."""
+    rows = solver_status()
+    for what, text in rows:
+        FreeCAD.Console.PrintMessage(f"CurveUps, {what}: {text}\n")
+    box = QtWidgets.QMessageBox(FreeCADGui.getMainWindow())
+    box.setObjectName("CurveUpsSolverStatus")
+    box.setAttribute(QtCore.Qt.WA_DeleteOnClose)
+    box.setWindowTitle(translate("CurveUps_SolverStatus", "Solver Status"))
+    box.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+    box.setText("<table>" + "".join(
+        f"<tr><td><b>{escape(what)}</b>&nbsp;&nbsp;</td><td>{escape(text)}</td></tr>"
+        for what, text in rows) + "</table>")
+    box.setModal(False)
+    box.show()
