@@ -286,7 +286,6 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "weak_contact": "contact {contact} has {share:.2f} of f_min: {why}",
     "weak_contact.friction": "contact {contact} keeps pushing forces within friction at {share:.2f} of "
                              "f_min: {why}",
-    "held_by": "held by the {obstacle} of {at}",
     "held_by_nothing": "no small change of layout, pins or vertices lifts it",
     "broken_down": "repair ended early: {said}",
     "advice.cut_gaps": "a cut near the tiles named gives gaps room",

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Iterable, Optional, Sequence
+from typing import Any, Optional, Sequence
 
 from ..base.errors import CurveUpsError
 from ..base.findings import Finding, all_of
@@ -13,7 +13,7 @@ from .design import design_digest
 from .stage import Inputs, Job, Result, Row, Stage, moved_vertices
 from .verification import verification_of
 
-_GAP = "gap"  # of repair's obstacles: all others are pins'
+_ADVICE = ("advice.cut_gaps", "advice.pin_room", "advice.pull")  # where contacts stay weak
 
 
 @dataclass(frozen=True)
@@ -24,7 +24,7 @@ class Repair(Result):
     verification: Optional[Result] = None     # of the design, where it is known
     status: str = ""                          # empty where repair did not run
     block: Optional[dict] = None              # of report.json
-    blocked: tuple[dict, ...] = ()            # contacts that stay weak: reason, obstacle
+    blocked: tuple[dict, ...] = ()            # contacts that stay weak: tiles, reason
     suggestions: tuple[Finding, ...] = ()
     warned: tuple[Finding, ...] = ()
 
@@ -57,9 +57,8 @@ def _run(inputs: Inputs, job: Job) -> Repair:
     found = native.repair_design(design, job, job.listener("repair"), known.solved)
     changed = design_digest(found.design) != design_digest(design)
     blocked: tuple[dict[str, Any], ...] = tuple(
-        {"tiles": list(contact.tiles), "reason": Finding.of(contact.reason), "obstacle": contact.obstacle}
-        for contact in found.blocked)
-    suggestions = _against(contact["obstacle"] for contact in blocked)
+        {"tiles": list(contact.tiles), "reason": Finding.of(contact.reason)} for contact in found.blocked)
+    suggestions = tuple(map(Finding, _ADVICE)) if blocked else ()
     if found.breakdown:
         suggestions += (Finding.about("broken_down", said=found.breakdown),)
     weak = {frozenset(contact["tiles"]) for contact in blocked}
@@ -78,14 +77,6 @@ def _run(inputs: Inputs, job: Job) -> Repair:
     if changed:
         verdict = verification_of(found.verification, found.design) if found.verification else None
     return Repair(found.design if changed else before, verdict, found.status, block, blocked, suggestions)
-
-
-def _against(obstacles: Iterable[str]) -> tuple[Finding, ...]:
-    """What would help in general where repair met these; "": contacts that nothing holds stay weak."""
-    met = set(obstacles)
-    kinds = {"advice.cut_gaps": _GAP in met, "advice.pin_room": bool(met - {_GAP, ""}),
-             "advice.pull": "" in met}
-    return tuple(Finding(kind) for kind, there in kinds.items() if there)
 
 
 def _failed(error: CurveUpsError, inputs: Inputs) -> Repair:

@@ -60,9 +60,6 @@ ActuatedDesign actuate_design(const Design& given, const PathOptions& options,
     out.stopped = true;
   }
   out.frames = path.frames();
-  out.largest_rise = path.largest_rise();
-  out.found_anew = path.found_anew();
-  out.deepest = path.deepest();
   return out;
 }
 

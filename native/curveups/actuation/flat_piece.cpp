@@ -71,15 +71,8 @@ Poses piece_poses(const TileBodies& bodies, const Poses& tiles) {
   const Points3 centres = tile_centres(mesh);
   Poses out = tiles;
   for (Side side : {Side::front, Side::back}) {
-    const Points3 corners = pin_corners(bodies, centres, tiles, side);
-    for (const MembranePatch& patch : make_membrane_domain(mesh, side).patches) {
-      if (patch.vertex < 0) continue;
-      RigidMotion node;
-      for (int c : patch.corners) {
-        node.t += corners.row(c).transpose() / static_cast<double>(patch.corners.size());
-      }
-      out.push_back(node);
-    }
+    const Poses nodes = membrane_nodes(mesh, side, pin_corners(bodies, centres, tiles, side));
+    out.insert(out.end(), nodes.begin(), nodes.end());
   }
   return out;
 }

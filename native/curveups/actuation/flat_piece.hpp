@@ -1,26 +1,25 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A piece whose tiles are anywhere: poses of its TileWorld for given poses of its tiles, and how
-// far its membranes are stretched there.
+// Piece with given poses of its tiles: poses of its TileWorld, and stretch of its membranes.
 #pragma once
 
 #include "curveups/contact/tile_world.hpp"
 
 namespace curveups {
 
-// The tiles as the layout has them, in the plane z = 0 with their fronts up, about their centres
-// (tile_centres) as the TileWorld's bodies are.
+// Tiles of the layout, in the plane z = 0 with their fronts up, about their centres (tile_centres)
+// as the TileWorld's bodies are.
 Poses flat_tiles(const TileBodies& bodies);
 
-// Poses of the tiles as files have them: a row a tile, its motion from its place in the actuated
-// design, as x, y, z (mm) and a unit quaternion (w, x, y, z): a point p goes to R p + (x, y, z).
+// Poses of the tiles in files: a row a tile, its motion from its place in the actuated design, as
+// x, y, z (mm) and a unit quaternion (w, x, y, z): a point p goes to R p + (x, y, z).
 using FrameRows = Eigen::Matrix<double, Eigen::Dynamic, 7, Eigen::RowMajor>;
 FrameRows frame_rows(const TileMesh& tiles, const Poses& poses);
-// The same as motions. Throws InvalidInput where there is not a row a tile, or one is no rigid
+// Motions of these rows. Throws InvalidInput where there is not a row a tile, or one is no rigid
 // motion.
 std::vector<RigidMotion> frame_motions(const FrameRows& rows, int tile_count);
 
-// All bodies of a TileWorld without a ground, with the tiles at these poses: each node of the
-// membranes amid the pins around it.
+// Poses of all bodies of a TileWorld without a ground, with the tiles at these poses and each node
+// of the membranes amid the pins around it.
 Poses piece_poses(const TileBodies& bodies, const Poses& tiles);
 
 // Mean over all contacts and both sides of the membrane's stretch ratio between facing pin edges:

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "curveups/core/checkpoint.hpp"
@@ -12,17 +11,16 @@
 namespace curveups {
 namespace {
 
-// mm: times the material's modulus, the stiffness between two tiles that touch. About what their
-// walls are as layers, and what a corner is that is rounded by as much.
+// mm: stiffness between two tiles that touch, over the material's modulus; about that of their
+// walls as layers, and of a corner that is rounded by as much.
 constexpr double contact_width = 0.25;
 
-// A path whose energy falls by less than this part in so many steps, and that is not at rest, goes
-// round in circles: tips of bumps that slide off walls and onto them again.
+// A path that is not at rest, and whose energy falls by less than this part in so many steps, goes
+// round in circles: tips of bumps slide off walls and onto them again.
 constexpr int stalled_steps = 60;
 constexpr double stalled_part = 1e-4;
 
-// Relaxing: steps until it gives up, how often finite elements are solved, and by how much they may
-// then differ from what the tiles feel.
+// Relaxing: most steps, most solutions of finite elements, and the element_change that ends them.
 constexpr int relaxing_steps = 60, most_rounds = 3;
 constexpr double element_tolerance = 0.01;
 
@@ -38,7 +36,7 @@ constexpr const char* doing[] = {"relaxing", "releasing", "shaking", "pressing"}
 Pace pace_of(const Parameters& parameters) {
   Pace pace;
   pace.step_limit = parameters.L / 7.5;
-  // What a step may meet: could_pass holds what comes from further.
+  // Bodies that a step may meet; could_pass stops those from further away.
   pace.search.reach = std::max(1.5 * pace.step_limit, 0.5 * parameters.H_body);
   pace.search.pair_stiffness = contact_width * tile_modulus;
   pace.search.face_margin = 0.01;
@@ -51,8 +49,8 @@ double mean_distance(const Poses& from, const Poses& to, int count) {
   return sum / std::max(count, 1);
 }
 
-// Thins the frames from `first` on to about half of `most` where there are more, evenly by the way
-// of the tiles.
+// Thins the frames from `first` on to about half of `most` where there are more, evenly by the
+// motion of the tiles.
 void thin_out(std::vector<PathFrame>& frames, std::size_t first, int most) {
   if (frames.size() <= first + most) return;
   const double begin = frames[first].moved, whole = frames.back().moved - begin;
@@ -133,10 +131,8 @@ RestState Path::relax(SolvedDesign* solved) {
   world_.set_friction(0);
   world_.begin_path(Pace::relaxing(world_.pace()));
   for (int round = 0; round < most_rounds; ++round) {
-    const StepReport last = world_.settle(relaxing_steps, [&](const StepReport& step) {
+    const StepReport last = world_.settle(relaxing_steps, [&](const StepReport&) {
       ++state_.steps;
-      state_.iterations += step.iterations;
-      state_.factorizations += step.factorizations;
       checkpoint("relaxing", state_.steps / (state_.steps + 20.0) / 4);
       return false;
     });
@@ -198,20 +194,14 @@ void Path::begin(LoadCase load) {
   frames_.push_back(now_);
 }
 
-// An implicit Euler step; true where the piece is at rest and nothing moved.
+// Takes an implicit Euler step; true where the piece is at rest and nothing moved.
 bool Path::step() {
   if (former_->force > 0) fit_former();
   const Poses before = world_.poses();
-  const double load_before = former_->value(world_.poses());
   const StepReport report = world_.step();
-  state_.iterations += report.iterations;
-  state_.factorizations += report.factorizations;
   state_.at_rest = report.at_rest;
   if (report.at_rest) return true;
   ++state_.steps;
-  largest_rise_ = std::max(largest_rise_, report.energy - report.before);
-  found_anew_ += std::abs(report.before - load_before - now_.energy);
-  for (const TouchForce& touch : world_.forces()) deepest_ = std::max(deepest_, -touch.gap);
   now_.time += 1 / report.weight;
   now_.energy = report.energy - former_->value(world_.poses());
   now_.friction += report.friction;
@@ -223,20 +213,19 @@ bool Path::step() {
   return false;
 }
 
-// Steps until the piece is at rest (true) or goes round in circles.
-bool Path::run(int most_steps) {
+// Steps until the piece is at rest or goes round in circles.
+void Path::run(int most_steps) {
   std::vector<double> energies;  // before each step
   for (int k = 0; k < most_steps; ++k) {
     if (k > stalled_steps &&
         energies[k - stalled_steps] - now_.energy < stalled_part * std::abs(now_.energy)) {
-      return false;
+      return;
     }
     energies.push_back(now_.energy);
-    if (step()) return true;
+    if (step()) return;
     const int load = static_cast<int>(now_.load);
     checkpoint(doing[load], (load + state_.steps / (state_.steps + 50.0)) / 4);
   }
-  return false;
 }
 
 // Lays the former under each piece as that stands.
@@ -270,15 +259,10 @@ void Path::describe() {
   const Eigen::VectorXd far = scan_distances(surface, ClosestPoints(target_));
   state_.scan = describe_scan(far, surface, target_);
   state_.deviation = triangle_means(far);
-  std::map<std::array<int, 2>, double> contacts;
-  for (const Contact& contact : tiles_.contacts) contacts[contact.tile] = 0;
-  for (const TouchForce& force : world_.forces()) {
-    const auto contact = contacts.find(force.body);
-    if (contact != contacts.end()) contact->second += force.push;
-  }
-  for (const auto& [pair, push] : contacts) {
-    if (push == 0) state_.open_contacts.push_back(pair);
-    state_.push += push / static_cast<double>(contacts.size());
+  const Eigen::VectorXd pushes = contact_pushes(tiles_, world_);
+  if (pushes.size() > 0) state_.push = pushes.mean();
+  for (Eigen::Index k = 0; k < pushes.size(); ++k) {
+    if (pushes(k) == 0) state_.open_contacts.push_back(tiles_.contacts[k].tile);
   }
 }
 

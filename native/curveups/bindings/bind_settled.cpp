@@ -74,8 +74,7 @@ void bind_settled(py::module_& module) {
           "poses", &SettledDesign::poses,
           "A row a tile, how far its centre has moved (mm) and the quaternion (x, y, z, w) "
           "that it has turned by.")
-      .def_readonly("iterations", &SettledDesign::iterations)
-      .def_readonly("factorizations", &SettledDesign::factorizations);
+      .def_readonly("iterations", &SettledDesign::iterations);
   module.def(
       "settle_design",
       [](const Design& design, py::object progress, const SolvedPtr& solved) {

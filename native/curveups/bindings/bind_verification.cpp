@@ -159,14 +159,10 @@ void bind_verification(py::module_& module) {
       .def_readonly("least_floor", &RepairStep::least_floor,
                     "Of the unilateral problem, in units of f_min; NaN where not looked at.")
       .def_readonly("vertices", &RepairStep::vertices, "Whether vertices moved.")
-      .def_readonly("largest_move_mm", &RepairStep::largest_move)
       .def_readonly("fresh_mesh", &RepairStep::fresh_mesh);
   py::class_<BlockedContact>(module, "BlockedContact", "A contact that stays weak, and why.")
       .def_readonly("tiles", &BlockedContact::tiles)
-      .def_readonly("least_force", &BlockedContact::least_force, "In units of f_min.")
-      .def_readonly("reason", &BlockedContact::reason)
-      .def_readonly("obstacle", &BlockedContact::obstacle,
-                    "The kind of constraint that holds it, empty where none does.");
+      .def_readonly("reason", &BlockedContact::reason);
   py::class_<RepairResult>(module, "RepairResult", "A repaired design and how it was found.")
       .def_readonly("design", &RepairResult::design)
       .def_property_readonly(

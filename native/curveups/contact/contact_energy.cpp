@@ -10,17 +10,17 @@
 namespace curveups {
 namespace {
 
-// mm: points that are no farther than this from a face touch it.
-constexpr double touching_gap = 0.02;
-// mm: points that are no farther than this are as stiff as those that push, so that Newton's first
-// step from where bodies just touch sees that they do.
+constexpr double touching_gap = 0.02;  // mm: points nearer to a face than this touch it
+// mm: points nearer than this are as stiff as those that push, so that they count in Newton's first
+// step from where bodies just touch.
 constexpr double grazing_gap = 1e-6;
 
+// The touch's point in the coordinates of the other body.
 Vec3 seen(const Poses& poses, const TouchingPair& pair, const Touch& touch) {
   return seen_from(poses[pair.body[1 - touch.of]], poses[pair.body[touch.of]], touch.point);
 }
 
-// visit(touch, y), with the point as the other body sees it.
+// Calls visit(touch, y) with y = seen.
 template <class Pairs, class Visit>
 void each_seen(Pairs& pairs, const Poses& poses, const Visit& visit) {
   for (auto& pair : pairs) {
@@ -28,18 +28,8 @@ void each_seen(Pairs& pairs, const Poses& poses, const Visit& visit) {
   }
 }
 
-// Motion of the touch's point as the other body sees it, along small motions of the pair.
-Vec3 seen_motion(const Poses& poses, const TouchingPair& pair, const Touch& touch, double lever,
-                 const Motions& motions) {
-  const int a = pair.body[touch.of], b = pair.body[1 - touch.of];
-  const Vec3 arm = poses[a].R * touch.point, r = arm + poses[a].t - poses[b].t;
-  const Vec3 shift = (motions.row(a) - motions.row(b)).head<3>(),
-             turn_a = motions.row(a).tail<3>() / lever, turn_b = motions.row(b).tail<3>() / lever;
-  return poses[b].R.transpose() * (shift + turn_a.cross(arm) - turn_b.cross(r));
-}
-
-// Friction potential (Huber) of a tangential spring with a capped force, at this stretch, and its
-// derivative below.
+// Friction potential (Huber) of a tangential spring with a capped force at this stretch, and its
+// derivative.
 double friction_potential(const Touch& touch, double stretch) {
   const double k = touch.tangent_stiffness, c = touch.cap;
   return k * stretch <= c ? 0.5 * k * stretch * stretch : c * (stretch - 0.5 * c / k);
@@ -78,7 +68,7 @@ void ContactEnergy::couple(std::vector<Coupling>& couplings) const {
   for (const std::array<int, 2>& pair : coupled) couplings.push_back({pair[0], pair[1]});
 }
 
-// lever <= 0: the value alone.
+// Adds the value alone where lever <= 0.
 void ContactEnergy::add_pair(const TouchingPair& pair, const Poses& poses, double lever,
                              const MotionHessian* hessian, MotionDerivatives<2>& out) const {
   for (const Touch& touch : pair.touches) {
@@ -137,38 +127,6 @@ void ContactEnergy::lag_friction(const Poses& poses) {
             [&](Touch& touch, const Vec3& y) { touch.cap = friction_coefficient * touch.push(y); });
 }
 
-void ContactEnergy::predict_friction(const Poses& poses, double lever, const Motions& motions) {
-  for (TouchingPair& pair : pairs) {
-    for (Touch& touch : pair.touches) {
-      const Vec3 y = seen(poses, pair, touch);
-      touch.cap =
-          friction_coefficient * touch.push(y + seen_motion(poses, pair, touch, lever, motions));
-    }
-  }
-}
-
-Motions ContactEnergy::cap_derivatives(const Poses& poses, double lever,
-                                       const Motions& motions) const {
-  Motions out = Motions::Zero(poses.size(), 6);
-  MotionDerivatives<2> change;
-  for (const TouchingPair& pair : pairs) {
-    change.clear(false);
-    for (const Touch& touch : pair.touches) {
-      const Vec3 y = seen(poses, pair, touch);
-      const Vec2 u = touch.reach(y);
-      const double stretch = u.norm();
-      if (touch.gap(y) > 0 || touch.tangent_stiffness * stretch <= touch.cap) continue;
-      const double cap = -friction_coefficient * touch.stiffness *
-                         touch.normal.dot(seen_motion(poses, pair, touch, lever, motions));
-      add_seen_point(poses, pair.body, touch.of, 1 - touch.of, touch.point,
-                     touch.tangents * (cap / stretch * u), Eigen::Matrix3d::Zero(), lever, nullptr,
-                     change);
-    }
-    change.add_to(pair.body, out, nullptr, -1);
-  }
-  return out;
-}
-
 void ContactEnergy::stick(const Poses& poses) {
   each_seen(pairs, poses, [](Touch& touch, const Vec3& y) {
     touch.cap = touch.gap(y) <= touching_gap ? std::numeric_limits<double>::infinity() : 0.0;
@@ -215,21 +173,7 @@ std::vector<TouchForce> ContactEnergy::forces(const Poses& poses) const {
   std::vector<TouchForce> out;
   for (const TouchingPair& pair : pairs) {
     for (const Touch& touch : pair.touches) {
-      const RigidMotion& other = poses[pair.body[1 - touch.of]];
-      const Vec3 y = seen(poses, pair, touch);
-      // By y the gradient is the force that the point exerts on the other body.
-      const double sign = touch.of == 0 ? 1 : -1;
-      TouchForce force{pair.body, poses[pair.body[touch.of]](touch.point),
-                       -sign * (other.R * touch.normal), touch.push(y)};
-      const Vec2 reach = touch.reach(y);
-      const double length = reach.norm();
-      if (length > 0) {
-        force.friction =
-            sign * friction_force(touch, length) / length * (other.R * (touch.tangents * reach));
-      }
-      force.gap = touch.gap(y);
-      force.slip = touch.slip;
-      out.push_back(force);
+      out.push_back({pair.body, touch.push(seen(poses, pair, touch)), touch.slip});
     }
   }
   return out;

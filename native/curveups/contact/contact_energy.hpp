@@ -14,25 +14,22 @@
 
 namespace curveups {
 
-// What one body's point does to the other body.
+// Contact point's force along its normal on the other body of its pair.
 struct TouchForce {
-  std::array<int, 2> body;       // as of the pair
-  Vec3 position, normal;         // world; the normal points from body[0] to body[1]
-  double push = 0;               // N, along the normal on body[1]
-  Vec3 friction = Vec3::Zero();  // N, on body[1]
-  double gap = 0, slip = 0;      // mm; slip: all the way it has slid
+  std::array<int, 2> body;  // the pair
+  double push = 0;          // N
+  double slip = 0;          // mm, total
 };
 
 class ContactEnergy : public MotionEnergy {
  public:
   std::vector<TouchingPair> pairs;
-  std::vector<std::array<int, 2>> coupled;  // pairs of bodies that touch or did so, ascending
+  std::vector<std::array<int, 2>> coupled;  // pairs of bodies with a coupling, ascending
   double friction_coefficient = 0.5;
 
-  // Lets these (ascending) and all that touch have their place among the pairs that are coupled.
-  // Whether there are new ones.
+  // Adds the pairs that touch, and others (ascending), to the coupled ones; true where one is new.
   bool couple_pairs(const std::vector<std::array<int, 2>>& others = {});
-  // The place of a pair that is coupled.
+  // Number of a coupled pair.
   int coupling(const std::array<int, 2>& pair) const;
   void couple(std::vector<Coupling>& couplings) const override;
   double value(const Poses& poses) const override;
@@ -41,18 +38,13 @@ class ContactEnergy : public MotionEnergy {
 
   // Sets the caps to mu times the normal forces at these poses.
   void lag_friction(const Poses& poses);
-  // Sets the caps to mu times the normal forces after small motions, to first order.
-  void predict_friction(const Poses& poses, double lever, const Motions& motions);
-  // Change of the gradient along small motions where points slip, as caps follow normal forces: the
-  // part of the derivatives of Coulomb's law that is not symmetric.
-  Motions cap_derivatives(const Poses& poses, double lever, const Motions& motions) const;
-  // Lets points that touch at these poses stick however hard they are pulled, and all others slide.
+  // Sets the caps to infinity for points that touch at these poses, and to zero for all others.
   void stick(const Poses& poses);
-  // Has corners clipped anew in the next search.
+  // Makes the next search clip all corners anew.
   void forget_corners();
-  // What friction takes from its springs to these poses, N mm, as remember() will see it.
+  // Work against friction up to these poses, N mm, since remember().
   double friction_work(const Poses& poses) const;
-  // Ends a step: what slipped stays slipped, what does not push forgets.
+  // Ends a step: springs keep the stretch that their caps allow.
   void remember(const Poses& poses);
 
   std::vector<TouchForce> forces(const Poses& poses) const;

@@ -14,11 +14,10 @@ namespace curveups {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::infinity();
-// An overlap of outlines smaller than this part of a face is as stiff as this part: a body on its
-// edge does not sink in.
+// Least area of an overlap that counts for its stiffness, over the smaller face: a body on its edge
+// does not sink in.
 constexpr double least_share = 0.01;
-// Tips and corners this little outside of a face are on it, mm.
-constexpr double beyond = 1e-3;
+constexpr double beyond = 1e-3;  // mm: a tip this little outside of a face is on it
 
 Eigen::Matrix<double, 3, 2> tangents_of(const Vec3& normal) {
   Eigen::Matrix<double, 3, 2> out;
@@ -32,10 +31,9 @@ struct Separation {
   int face = -1;
 };
 
-// How far all of `b` is in front of a face of `a`.
+// Distance of all of `b` in front of a face of `a`.
 double separation(const BodySurface& face, const RigidMotion& at_a, const RigidBody& b,
                   const RigidMotion& at_b) {
-  // b's plane coordinate along the face's normal, in b's own coordinates.
   const Vec3 normal = at_a.R * face.normal, own = at_b.R.transpose() * normal;
   const double base = normal.dot(at_b.t - at_a.t) - face.offset;
   double least = none;
@@ -45,13 +43,13 @@ double separation(const BodySurface& face, const RigidMotion& at_a, const RigidB
   return least;
 }
 
-// The face of `a` that has `b` furthest in front of it; far: more than this is enough to know.
+// The face of `a` that has `b` furthest in front of it, or the first with more than `far`.
 Separation best_face(const RigidBody& a, const RigidMotion& at_a, const RigidBody& b,
                      const RigidMotion& at_b, double far) {
   Separation best;
   for (std::size_t f = 0; f < a.faces.size(); ++f) {
     const double least = separation(a.faces[f], at_a, b, at_b);
-    // Of equal faces the first.
+    // The first of equal faces.
     if (least > best.distance + 1e-12) best = {least, static_cast<int>(f)};
     if (best.distance > far) break;
   }
@@ -77,7 +75,7 @@ class PairSearch {
              const std::array<int, 2>& pair)
       : bodies_(bodies), poses_(poses), options_(options), body_(pair) {}
 
-  // No touches where the two are too far apart.
+  // Returns no touches where the two are too far apart.
   TouchingPair run(const TouchingPair* before) const {
     TouchingPair out{body_, {-1, -1}, {}};
     const std::array<Separation, 2> best = {best_face(of(0), at(0), of(1), at(1), options_.reach),
@@ -110,7 +108,7 @@ class PairSearch {
   const RigidMotion& at(int k) const { return poses_[body_[k]]; }
   Vec3 seen(const Touch& t) const { return seen_from(at(1 - t.of), at(t.of), t.point); }
 
-  // Whether corners still are where outlines cross.
+  // True where corners still are where outlines cross.
   bool good(const TouchingPair& pair) const {
     for (const Touch& touch : pair.touches) {
       const Vec2 along = touch.tangents.transpose() * seen(touch) - touch.built;
@@ -119,7 +117,7 @@ class PairSearch {
     return !pair.touches.empty();
   }
 
-  // Whether the faces that touched part the bodies nearly as well as the best do.
+  // True where the faces that touched part the bodies nearly as well as the best do.
   bool still_part(const TouchingPair& pair, double best) const {
     if (!(options_.face_margin > 0)) return false;
     for (int k = 0; k < 2; ++k) {
@@ -161,7 +159,7 @@ class PairSearch {
                              : reference.stiffness * facing.stiffness /
                                    (reference.stiffness + facing.stiffness) * shared;
     const double stiffness = whole / (2.0 * static_cast<double>(common.size()));
-    // The facing plane as the reference sees it.
+    // The facing plane in the reference's coordinates.
     const Eigen::Matrix3d R = at(first).R.transpose() * at(second).R;
     const Vec3 normal = R * facing.normal;
     const double offset =
@@ -191,7 +189,7 @@ class PairSearch {
     }
   }
 
-  // The memory of the nearest point on the same faces, as a force.
+  // Takes friction's history from the nearest point on the same faces, as a force.
   void inherit(const TouchingPair& before, Touch& touch) const {
     const Touch* nearest = nullptr;
     double least = none;
@@ -237,16 +235,16 @@ std::vector<TouchingPair> find_touching(const std::vector<RigidBody>& bodies, co
   for (const auto& [k, l] : overlapping_boxes(low, high)) {
     if (bodies[solid[k]].can_touch(bodies[solid[l]])) near.push_back({solid[k], solid[l]});
   }
-  std::vector<TouchingPair> found(near.size());
+  std::vector<TouchingPair> pairs(near.size());
   parallel_for(static_cast<int>(near.size()), [&](int k) {
     const auto old = std::lower_bound(
         before.begin(), before.end(), near[k],
         [](const TouchingPair& pair, const std::array<int, 2>& body) { return pair.body < body; });
     const bool known = old != before.end() && old->body == near[k];
-    found[k] = PairSearch(bodies, poses, options, near[k]).run(known ? &*old : nullptr);
+    pairs[k] = PairSearch(bodies, poses, options, near[k]).run(known ? &*old : nullptr);
   });
   std::vector<TouchingPair> out;
-  for (TouchingPair& pair : found) {
+  for (TouchingPair& pair : pairs) {
     if (!pair.touches.empty()) out.push_back(std::move(pair));
   }
   return out;

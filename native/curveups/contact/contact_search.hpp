@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Where convex bodies touch. Of each pair that is near, the face that separates the two best and
-// the face of the other that looks at it touch; what their outlines have in common, clipped in the
-// plane of the first, is where. Its corners are points of either body against the plane of the
-// other (both directions); where tips stand on the faces, these are. (C. Ericson, Real-Time
-// Collision Detection, 2005: separating axes and face clipping.)
+// Contact points of convex bodies. In each pair that is near, the face that separates the two best
+// and the face of the other body opposite to it touch. The corners of the intersection of their
+// outlines, clipped in the plane of the first, are points of either body against the plane of the
+// other; tips that stand on the faces take their place. (C. Ericson, Real-Time Collision Detection,
+// 2005: separating axes and face clipping.)
 #pragma once
 
 #include <algorithm>
@@ -16,19 +16,19 @@ namespace curveups {
 
 // A point of one body of a pair that may press on a face of the other.
 struct Touch {
-  int of;  // which of the pair has the point, 0 or 1
+  int of;  // body of the pair with the point, 0 or 1
   Vec3 point;
-  Vec3 normal;    // of the other's face, in the other's coordinates
-  double offset;  // the point presses where normal . y < offset, y as the other sees it
+  Vec3 normal;    // face of the other body, in that body's coordinates
+  double offset;  // the point presses where normal . y < offset, y in the other's coordinates
   Eigen::Matrix<double, 3, 2> tangents;
   double stiffness, tangent_stiffness;  // N / mm
 
-  // Friction's history: the stretch of the tangential spring (mm) when y's tangential coordinates
-  // were `reference`, before the present step.
+  // Friction's history: stretch of the tangential spring (mm) before the present step, when y had
+  // the tangential coordinates `reference`.
   Vec2 stretch = Vec2::Zero(), reference = Vec2::Zero();
-  Vec2 built = Vec2::Zero();  // the tangential coordinates when outlines were clipped
+  Vec2 built = Vec2::Zero();  // tangential coordinates when outlines were clipped
   double cap = 0;             // largest friction force, N
-  double slip = 0;            // mm in all
+  double slip = 0;            // mm, total
 
   double gap(const Vec3& y) const { return normal.dot(y) - offset; }
   double push(const Vec3& y) const { return stiffness * std::max(0.0, -gap(y)); }
@@ -36,22 +36,21 @@ struct Touch {
   Vec2 reach(const Vec3& y) const { return stretch + tangents.transpose() * y - reference; }
 };
 
-// Of a pair of bodies that touch, or nearly do.
+// Pair of bodies that touch, or nearly do.
 struct TouchingPair {
   std::array<int, 2> body;  // ascending
   std::array<int, 2> face;
   std::vector<Touch> touches;
-  int coupling = -1;  // its number among the pairs that are coupled (ContactEnergy)
+  int coupling = -1;  // number among the coupled pairs (ContactEnergy)
 };
 
 struct SearchOptions {
-  double reach = 0.5;  // faces further apart than this do not touch, mm
-  // Corners are clipped anew where bodies moved along their faces by more than this, mm.
-  double keep = 0.1;
-  // N / mm, of every pair whose outlines touch; 0: as the materials are, by the area that touches.
+  double reach = 0.5;  // mm: faces further apart than this do not touch
+  double keep = 0.1;   // mm: motion along their faces after which corners are clipped anew
+  // Stiffness of every pair whose outlines touch, N / mm; 0: by its material and common area.
   double pair_stiffness = 0;
-  // Faces that touched stay those that touch until others part the bodies better by more than this,
-  // mm: without it, bodies that touch in a corner could change faces for ever.
+  // mm: faces that touched go on to touch until others part the bodies better by more than this;
+  // with none, bodies that touch in a corner could change faces for ever.
   double face_margin = 0;
 };
 
@@ -59,8 +58,9 @@ struct SearchOptions {
 // ratio of 0.35.
 inline constexpr double tangent_ratio = 0.79;
 
-// Pairs in ascending order. before: pairs of an earlier state, whose memory of friction goes on: as
-// they are where they are still good, else from the nearest point on the same faces.
+// Touching pairs in ascending order. before: pairs of an earlier state; their points stay where
+// bodies have moved little, else new points take friction's history from the nearest on the same
+// faces.
 std::vector<TouchingPair> find_touching(const std::vector<RigidBody>& bodies, const Poses& poses,
                                         const SearchOptions& options,
                                         const std::vector<TouchingPair>& before);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// One step of bodies in contact: a damped Newton method.
-#include <Eigen/IterativeLinearSolvers>
+// Step of bodies in contact: a damped Newton method.
 #include <algorithm>
 #include <cmath>
 
@@ -12,20 +11,17 @@
 namespace curveups {
 namespace {
 
-// Caps stay until the residual under them is this share of what it was when they were set: a Newton
-// step on the caps from farther away than that led Spot astray (1755 iterations).
+// Caps stay until the residual under them is this share of the one when they were set.
 constexpr double inner_share = 0.1;
-// Krylov iterations of a Newton step on the caps, and their relative residual.
-constexpr int most_cap_iterations = 20;
-constexpr double cap_tolerance = 1e-3;
 
-// How far bodies go, in step limits: those beside one another by `apart` against one another, each
-// body by its own motion.
+constexpr double largest_turn = 0.5;  // of a body in an iteration, rad
+
+// Motion in step limits: of neighbours, `apart` against one another, and of each body by itself.
 double in_step_limits(double apart, const Motions& motions, const Pace& pace, double lever) {
   const double shift = std::sqrt(motions.leftCols<3>().rowwise().squaredNorm().maxCoeff());
   const double turn = std::sqrt(motions.rightCols<3>().rowwise().squaredNorm().maxCoeff());
   return std::max({apart / pace.step_limit, shift / (pace.together * pace.step_limit),
-                   turn / (pace.largest_turn * lever)});
+                   turn / (largest_turn * lever)});
 }
 
 }  // namespace
@@ -39,13 +35,12 @@ double ContactWorld::stride(const Drag& drag, const Poses& from, const Motions& 
   return in_step_limits(drag.furthest_apart(from, motions), motions, options_.pace, options_.lever);
 }
 
-// Second derivatives at x are in the matrix. Where exact ones are indefinite, projected ones take
+// Factorizes the second derivatives at x. Where exact ones are indefinite, projected ones take
 // their place from here on; a density that is not convex may need a shift all the same.
-void ContactWorld::factorize(const Poses& x, const Drag& drag, bool& projected,
-                             StepReport& report) {
+void ContactWorld::factorize(const Poses& x, const Drag& drag, bool& projected) {
   const double lone = weight_ * drag.lone();
   double shift = 0;
-  for (++report.factorizations; !hessian_->factorize(0, lone + shift); ++report.factorizations) {
+  while (!hessian_->factorize(0, lone + shift)) {
     if (projected) {
       shift = std::max(1e-4 * hessian_->mean_diagonal(), 4 * shift);
     } else {
@@ -69,34 +64,9 @@ Motions ContactWorld::newton_step(const Motions& gradient) const {
   return Eigen::Map<const Motions>(solved.data(), gradient.rows(), 6);
 }
 
-// One Newton step on c = mu N(c), the fixed point of the friction caps c: sets them to those after
-// the step d with (H + C) d = -gradient, C being the derivatives by caps that follow the normal
-// forces. way: H^-1 (-gradient), by the factorization of H, which is the preconditioner.
-void ContactWorld::predict_caps(const Poses& x, const Motions& way) {
-  struct Operator {
-    const ContactWorld& world;
-    const Poses& x;
-    Eigen::Index cols() const { return static_cast<Eigen::Index>(6 * x.size()); }
-    Eigen::VectorXd operator*(const Eigen::VectorXd& z) const {
-      const Motions motions = Eigen::Map<const Motions>(z.data(), z.size() / 6, 6);
-      const Motions step =
-          world.newton_step(world.contacts_.cap_derivatives(x, world.options_.lever, motions));
-      return z - Eigen::Map<const Eigen::VectorXd>(step.data(), step.size());
-    }
-  };
-  const Eigen::VectorXd right = Eigen::Map<const Eigen::VectorXd>(way.data(), way.size());
-  Eigen::VectorXd step = right;
-  Eigen::Index iterations = most_cap_iterations;
-  double tolerance = cap_tolerance;
-  Eigen::internal::bicgstab(Operator{*this, x}, right, step, Eigen::IdentityPreconditioner(),
-                            iterations, tolerance);
-  contacts_.predict_friction(x, options_.lever,
-                             Eigen::Map<const Motions>(step.data(), way.rows(), 6));
-}
-
-// Moves x from the step's beginning towards its minimum. stuck: under the caps as they are. Else
-// caps are lagged: they stay until x is about at the minimum under them, and then follow by Newton
-// steps on c = mu N(c), for as long as these lower the residual.
+// Moves x from the step's beginning towards its minimum, where `stuck` under the caps as they are.
+// Else a fixed-point iteration on the caps, c = mu N(c), which are those of the beginning at first:
+// they follow the normal forces whenever x is about at the minimum under them.
 void ContactWorld::descend(const Drag& drag, double unit, bool stuck, Poses& x,
                            StepReport& report) {
   const Pace& pace = options_.pace;
@@ -108,9 +78,7 @@ void ContactWorld::descend(const Drag& drag, double unit, bool stuck, Poses& x,
     const double blur = 1e-12 * (std::abs(report.before) + unit * lever);
     return value(x) - contacts_.friction_work(x) > report.before + blur;
   };
-  int shortened = 0;
-  double lagged_residual = 0;  // when caps were last set to mu times the normal forces
-  bool lag = !stuck;           // caps are set before the next evaluation
+  double lagged_residual = 0;  // when caps were last set
   for (int iteration = 0;; ++iteration) {
     const bool last =
         iteration >= pace.most_iterations || (iteration >= pace.iterations && !stores_more());
@@ -125,33 +93,24 @@ void ContactWorld::descend(const Drag& drag, double unit, bool stuck, Poses& x,
             drag.derivatives(x, weight_, g, matrix ? &second : nullptr);
       left = largest_motion(g);
     };
-    if (lag) contacts_.lag_friction(x);
     evaluate();
-    const bool minimised = !stuck && !lag && (last || left <= inner_share * lagged_residual);
-    if (minimised) {
+    bool lagged = iteration == 0;
+    if (!stuck && !lagged && (last || left <= inner_share * lagged_residual)) {
       contacts_.lag_friction(x);
       evaluate();
-      lag = true;
+      lagged = true;
     }
-    report.converged = (stuck || lag) && left <= goal;
-    if (last || ((report.converged || stride(drag, x) > 1) && !stores_more())) break;
-    // Where a Newton step on the caps made things worse, they stay until x is at the minimum again.
-    const bool predicts = lag && iteration > 0 && (minimised || left < lagged_residual);
-    if (lag) lagged_residual = left;
+    if (lagged) lagged_residual = left;
+    const bool converged = (stuck || lagged) && left <= goal;
+    if (last || ((converged || stride(drag, x) > 1) && !stores_more())) break;
     ++report.iterations;
-    factorize(x, drag, projected, report);
-    Motions way = newton_step(g);
-    if (predicts) {
-      predict_caps(x, way);
-      now = derivatives(x, g, nullptr, projected) + drag.derivatives(x, weight_, g, nullptr);
-      way = newton_step(g);
-    }
-    lag = predicts;
+    factorize(x, drag, projected);
+    const Motions way = newton_step(g);
     const double slope = g.cwiseProduct(way).sum(), blur = 1e-12 * (std::abs(now) + unit * lever);
     double part = std::min(1.0, 1 / std::max(stride(drag, x, way), 1e-300));
-    shortened += part < 1;
+    report.shortened += part < 1;
     Poses next = moved(x, part * way, lever);
-    for (int halved = 0; halved < 30; ++halved, ++shortened) {
+    for (int halved = 0; halved < 30; ++halved, ++report.shortened) {
       const bool falls =
           value(next) + drag.value(next, weight_) <= now + 1e-4 * part * slope + blur;
       if (falls && !could_pass(bodies_, poses_, next)) break;
@@ -161,7 +120,6 @@ void ContactWorld::descend(const Drag& drag, double unit, bool stuck, Poses& x,
     x = std::move(next);
     checkpoint();
   }
-  report.shortened = shortened;
 }
 
 StepReport ContactWorld::step() {
@@ -174,7 +132,7 @@ StepReport ContactWorld::step() {
   report.before = report.energy = derivatives(poses_, g, nullptr, false);
   report.residual = largest_motion(g) / unit;
   if (report.residual <= std::max(pace.tolerance, rounding_ / unit)) {
-    report.at_rest = report.converged = true;
+    report.at_rest = true;
     if (stuck_poses_.empty()) stuck_poses_ = poses_;
     return report;
   }
@@ -187,7 +145,6 @@ StepReport ContactWorld::step() {
 
   const Finishing finishing;
   if (stuck) stuck_poses_ = x;
-  report.motion = largest_motion(motions_between(poses_, x, options_.lever));
   report.weight = weight_;
   report.friction = contacts_.friction_work(x);
   const double distance = stride(drag, x);

@@ -43,8 +43,8 @@ void ContactWorld::make_pattern() {
                                               unknowns);
 }
 
-// Bodies that the energies join, and those around a point: these depend on one another once it is
-// eliminated, so that their places in the pattern cost little, and it need not change when they
+// Bodies that the energies join, and those around a point. The latter depend on one another once it
+// is eliminated: their places in the pattern cost little, and the pattern need not change when they
 // touch.
 std::vector<std::array<int, 2>> ContactWorld::joined_pairs() const {
   std::vector<Coupling> couplings;
@@ -91,8 +91,8 @@ void ContactWorld::search() {
   searched_ = true;
 }
 
-// Between bodies that touch or are near, and those that the energies join. A fixed body's middle
-// may be far away.
+// Drag between bodies that touch or are near, or that the energies join. Fixed bodies are left out:
+// their middle may be far away.
 Drag ContactWorld::make_drag() const {
   std::vector<std::array<int, 2>> near, all;
   for (const TouchingPair& pair : contacts_.pairs) near.push_back(pair.body);
@@ -112,16 +112,16 @@ double ContactWorld::value(const Poses& poses) const {
   return sum;
 }
 
-// All but the drag. Nothing moves a fixed body.
+// Derivatives of all but the drag, zero for fixed bodies.
 double ContactWorld::derivatives(const Poses& poses, Motions& gradient, BlockMatrix<6>* hessian,
                                  bool projected) const {
   gradient.setZero(poses.size(), 6);
   MotionHessian second{hessian, first_.back(), projected};
-  const MotionHessian* asked = hessian ? &second : nullptr;
-  double energy = contacts_.derivatives(poses, options_.lever, gradient, asked);
+  const MotionHessian* wanted = hessian ? &second : nullptr;
+  double energy = contacts_.derivatives(poses, options_.lever, gradient, wanted);
   for (std::size_t k = 0; k < energies_.size(); ++k) {
     second.first = first_[k];
-    energy += energies_[k]->derivatives(poses, options_.lever, gradient, asked);
+    energy += energies_[k]->derivatives(poses, options_.lever, gradient, wanted);
   }
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (bodies_[i].fixed) gradient.row(i).setZero();
@@ -152,12 +152,11 @@ Motions ContactWorld::given_forces() const {
   return -out;
 }
 
-StepReport ContactWorld::settle(int max_steps,
-                                const std::function<bool(const StepReport&)>& enough) {
+StepReport ContactWorld::settle(int max_steps, const std::function<bool(const StepReport&)>& done) {
   StepReport report;
   for (int k = 0; k < max_steps; ++k) {
     report = step();
-    if (report.at_rest || (enough && enough(report))) break;
+    if (report.at_rest || (done && done(report))) break;
   }
   return report;
 }

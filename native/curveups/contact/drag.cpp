@@ -7,6 +7,7 @@
 #include "curveups/core/parallel.hpp"
 
 namespace curveups {
+
 Drag::Drag(const std::vector<Pair>& pairs, const Poses& from, double lever, double lone)
     : from_(from), lever_(lever), lone_(lone) {
   joints_.reserve(pairs.size());
@@ -72,7 +73,7 @@ double Drag::derivatives(const Poses& poses, double weight, Motions& gradient,
             -point_jacobian(poses[b], joint.point[1], lever_);
         out.value = squares(joint, poses);
         out.gradient = weight * J.transpose() * gap(joint, poses);
-        // By turns of the first body the square of the chord changes along this.
+        // Gradient of the square of the chord by turns of the first body.
         const Vec3 turned = -0.5 * weight * lever_ * twice_axial_vector(turn);
         out.gradient.segment<3>(3) += turned;
         out.gradient.segment<3>(9) -= turned;

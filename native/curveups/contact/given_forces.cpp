@@ -51,8 +51,8 @@ double PairLoads::value(const Poses& poses) const {
   });
 }
 
-// Of a pair, with forces f that turn with body 0 and arms a that turn with body 1, r from origin to
-// origin: the energy -sum f . (r + a) and its derivatives need sum f and G = sum f a^T alone.
+// Energy -sum f . (r + a) of a pair and its derivatives, with forces f that turn with body 0, arms
+// a that turn with body 1, and r from origin to origin. These need sum f and G = sum f a^T alone.
 MotionDerivatives<2> PairLoads::of_pair(int begin, int end, const Poses& poses, double lever,
                                         bool second) const {
   const RigidMotion &one = poses[loads[begin].body[0]], &other = poses[loads[begin].body[1]];

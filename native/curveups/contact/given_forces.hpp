@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Given forces: those that keep their direction in space, such as weights, and those that two
-// bodies exert on one another.
+// Given forces: with a constant direction in space, such as weights, and between two bodies.
 #pragma once
 
 #include "curveups/contact/motion_energy.hpp"
@@ -10,7 +9,7 @@ namespace curveups {
 // A force of constant direction on a point of a body.
 struct PointLoad {
   int body;
-  Vec3 point;  // of the body
+  Vec3 point;  // in the body's coordinates
   Vec3 force;  // N, world
 };
 
@@ -25,18 +24,18 @@ class PointLoads : public MotionEnergy {
                      const MotionHessian* hessian) const override;
 };
 
-// A force on a point of body[1], constant as body[0] sees it, and its opposite on body[0]: whatever
-// the motion, the two sum to nothing, and so do their torques.
+// A force on a point of body[1], constant in coordinates of body[0], and its opposite on body[0]:
+// the two and their torques sum to zero whatever the motion.
 struct PairLoad {
   std::array<int, 2> body;
-  Vec3 point;  // of body[1]
+  Vec3 point;  // in coordinates of body[1]
   Vec3 force;  // N, on body[1], in the coordinates of body[0]
 };
 
 class PairLoads : public MotionEnergy {
  public:
   explicit PairLoads(std::vector<PairLoad> list) : loads(std::move(list)) {}
-  std::vector<PairLoad> loads;  // those of a pair of bodies one after another
+  std::vector<PairLoad> loads;  // sorted by pairs of bodies
 
   void couple(std::vector<Coupling>& couplings) const override;
   double value(const Poses& poses) const override;
@@ -44,7 +43,7 @@ class PairLoads : public MotionEnergy {
                      const MotionHessian* hessian) const override;
 
  private:
-  std::vector<int> pairs() const;  // where each begins; then the end
+  std::vector<int> pairs() const;  // first load of each, then the end
   MotionDerivatives<2> of_pair(int begin, int end, const Poses& poses, double lever,
                                bool second) const;
 };

@@ -28,12 +28,12 @@ double thickness(const RigidBody& body) {
   return least;
 }
 
-// How far a point can be from the chord of the arc on which it turns by this rotation.
+// Height of the arc on which a point turns by this rotation.
 double sag(const Eigen::Matrix3d& turn, double radius) {
   return radius * (1 - std::sqrt(std::clamp(0.25 * (1 + turn.trace()), 0.0, 1.0)));
 }
 
-// How far an origin that moves along a screw can be from its chord: the height of an arc.
+// Height of the arc on which an origin moves along a screw.
 double screw_bulge(const Eigen::Matrix3d& turn, double shift) {
   const double angle = std::acos(std::clamp(0.5 * (turn.trace() - 1), -1.0, 1.0));
   return 0.5 * shift * std::tan(0.25 * angle);
@@ -46,7 +46,7 @@ struct Way {
   double thin = 0;    // the body's thickness, mm
 };
 
-// How far corners of `b` move as `a` sees them, and arcs beside their chords.
+// Largest motion of corners of `b` in coordinates of `a`, arcs beside their chords included.
 double relative_motion(const RigidBody& b, const RigidMotion& a0, const RigidMotion& b0,
                        const RigidMotion& a1, const RigidMotion& b1) {
   double furthest = 0, radius = 0;
@@ -91,23 +91,23 @@ bool could_pass(const std::vector<RigidBody>& bodies, const Poses& from, const P
     way[k] = {shift, std::sqrt(std::max(0.0, 3 - turn.trace())), radius, thickness(body)};
   });
   const auto near = overlapping_boxes(low, high);
-  std::atomic<bool> found = false;
+  std::atomic<bool> passes = false;
   parallel_for(static_cast<int>(near.size()), [&](int k) {
-    if (found) return;
+    if (passes) return;
     auto [a, b] = near[k];
     if (!bodies[solid[a]].can_touch(bodies[solid[b]])) return;
-    // What stands still may be large, such as the ground: corners of the other move.
+    // A fixed body may be large, such as the ground: corners of the other move.
     if (bodies[solid[b]].fixed) std::swap(a, b);
     const double most = 0.5 * std::min(way[a].thin, way[b].thin);
-    // Chords are longer than what they miss of their arcs: most pairs move less than this.
+    // Chords are longer than their arcs are high: most pairs move less than this.
     const double far = (from[solid[b]].t - from[solid[a]].t).norm() + way[b].radius;
     if (way[a].shift + way[b].shift + 2 * far * (way[a].chord + way[b].chord) <= most) return;
     if (relative_motion(bodies[solid[b]], from[solid[a]], from[solid[b]], to[solid[a]],
                         to[solid[b]]) > most) {
-      found = true;
+      passes = true;
     }
   });
-  return found;
+  return passes;
 }
 
 }  // namespace curveups

@@ -43,7 +43,7 @@ void add_seen_point(const Poses& poses, const std::array<int, 2>& bodies, int a,
   out.gradient.segment<3>(rb) -= r.cross(force) / lever;
   if (!hessian) return;
 
-  // y in world axes moves by J m: b's turns move it backwards.
+  // y in world axes moves by J m; b's turns move it backwards.
   Eigen::Matrix<double, 3, 12> J;
   const Eigen::Matrix3d by_turn_a = skew(arm) / -lever, by_turn_b = skew(r) / lever;
   J.middleCols<3>(ta) = Eigen::Matrix3d::Identity();
@@ -54,7 +54,7 @@ void add_seen_point(const Poses& poses, const std::array<int, 2>& bodies, int a,
   const Eigen::Matrix<double, 3, 12> HJ = H * J;
   out.hessian.noalias() += J.transpose() * HJ;
   if (hessian->projected) return;
-  // The force times what y moves by in second order: turns of a, of b, and b's turn of the rest.
+  // The force times the second-order motion of y: by turns of a, of b, and of both.
   out.hessian.block<3, 3>(ra, ra) += turn_curvature(force, arm, lever);
   out.hessian.block<3, 3>(rb, rb) += turn_curvature(force, r, lever);
   const Eigen::Matrix3d F = skew(force) / lever;

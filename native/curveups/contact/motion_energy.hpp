@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Energies of rigid bodies: functions of their poses. Derivatives are by the small motions that
+// Energies of rigid bodies, functions of their poses. Derivatives are by the small motions that
 // follow a pose (rigid_body.hpp), so that no parametrization of rotations shows; second ones by
-// motions whose origins go straight, which differ from screws by what vanishes where forces
-// balance. What every such energy is made of: points of a body in space, and points of a body as
-// another body sees them.
+// motions whose origins go straight, which differ from those along screws by terms that vanish
+// where forces balance.
 #pragma once
 
 #include <memory>
@@ -16,9 +15,8 @@ namespace curveups {
 // Second derivatives that an energy adds to.
 struct MotionHessian {
   BlockMatrix<6>* matrix;
-  int first;  // number of the energy's first coupling in the matrix's pattern
-  // Positive semi-definite: without what forces contribute as they turn with bodies.
-  bool projected;
+  int first;       // number of the energy's first coupling in the matrix's pattern
+  bool projected;  // positive semi-definite: geometric stiffness is dropped or projected
 };
 
 class MotionEnergy {
@@ -40,14 +38,14 @@ struct MotionDerivatives {
   Eigen::Matrix<double, 6 * K, 1> gradient = Eigen::Matrix<double, 6 * K, 1>::Zero();
   Eigen::Matrix<double, 6 * K, 6 * K> hessian = Eigen::Matrix<double, 6 * K, 6 * K>::Zero();
 
-  // Zero again; second derivatives only where `second`: they are large, and not always asked for.
+  // Sets all to zero; second derivatives, which are large, only where `second`.
   void clear(bool second) {
     value = 0;
     gradient.setZero();
     if (second) hessian.setZero();
   }
-  // Adds what belongs to these bodies (-1: none, and none after it); coupling: the number of the
-  // element's first one among the energy's, for pairs (0, 1), (0, 2), (1, 2) and so on.
+  // Adds the rows of these bodies (-1: none, and none after it); coupling: the number of the
+  // element's first coupling among the energy's, for pairs (0, 1), (0, 2), (1, 2) and so on.
   void add_to(const std::array<int, K>& body, Motions& sum, const MotionHessian* second,
               int coupling) const {
     for (int k = 0; k < K && body[k] >= 0; ++k) {
@@ -73,7 +71,7 @@ struct MotionDerivatives {
   }
 };
 
-// The derivatives of a point R p + t by its body's motions: 3 x 6.
+// Derivatives of a point R p + t by its body's motions: 3 x 6.
 Eigen::Matrix<double, 3, 6> point_jacobian(const RigidMotion& pose, const Vec3& p, double lever);
 
 // Second derivatives, by a body's turn, of force . (R p): 3 x 3. arm: R p.
@@ -84,9 +82,9 @@ Eigen::Matrix3d positive_turn_curvature(const Vec3& force, const Vec3& arm, doub
 // A point p of body `a` where body `b` sees it: y = R_b^T (R_a p + t_a - t_b).
 Vec3 seen_from(const RigidMotion& b, const RigidMotion& a, const Vec3& p);
 
-// Adds a function of that y to the derivatives of a pair of bodies. by_y, by_y_twice: its
-// derivatives by y (second ones only where `hessian` is not null); a, b: which of the pair they
-// are, 0 and 1 or 1 and 0. Whatever the function, its forces and torques on the two sum to zero.
+// Adds a function of that y to the derivatives of a pair of bodies. by_y, by_y_twice: derivatives
+// by y (second ones only where `hessian` is not null); a, b: 0 and 1 or 1 and 0, of the pair.
+// Forces and torques on the two sum to zero whatever the function.
 void add_seen_point(const Poses& poses, const std::array<int, 2>& bodies, int a, int b,
                     const Vec3& p, const Vec3& by_y, const Eigen::Matrix3d& by_y_twice,
                     double lever, const MotionHessian* hessian, MotionDerivatives<2>& out);

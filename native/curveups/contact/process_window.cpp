@@ -40,40 +40,30 @@ WindowEnd search(double own, const std::vector<double>& values, const Fails& fai
 }  // namespace
 
 std::vector<WindowRange> process_window(double mu, const WindowSample& sample) {
-  struct Axis {
-    const char *parameter, *unit;
+  std::vector<WindowRange> out = {{"front_over_back", "%", {-30, 30}, {}},
+                                  {"friction_coefficient", "", {0.2 * mu, 2 * mu}, {}}};
+  const Fails with_mismatch = [&](double percent) {
+    std::array<double, 2> pull = {1, 1};
+    pull[percent > 0 ? 0 : 1] += std::abs(percent) / 100;
+    return sample(pull, mu);
+  };
+  const Fails with_friction = [&](double friction) { return sample({1, 1}, friction); };
+  struct Search {
+    WindowEnd& end;
     double own;
-    std::array<std::vector<double>, 2> values;  // from the design's own to either end
-    Fails fails;
+    std::vector<double> values;  // from the design's own to the end
+    const Fails& fails;
   };
-  const std::vector<Axis> axes = {
-      {"front_over_back",
-       "%",
-       0,
-       {{{-10, -20, -30}, {10, 20, 30}}},
-       [&](double percent) {
-         std::array<double, 2> pull = {1, 1};
-         pull[percent > 0 ? 0 : 1] += std::abs(percent) / 100;
-         return sample(pull, mu);
-       }},
-      {"friction_coefficient",
-       "",
-       mu,
-       {{{0.8 * mu, 0.6 * mu, 0.4 * mu, 0.2 * mu}, {1.5 * mu, 2 * mu}}},
-       [&](double friction) {
-         return sample({1, 1}, friction);
-       }},
-  };
-  std::vector<WindowRange> out;
-  for (const Axis& axis : axes) {
-    out.push_back({axis.parameter, axis.unit, {axis.values[0].back(), axis.values[1].back()}, {}});
-  }
-  const int ends = 2 * static_cast<int>(axes.size());
+  const std::vector<Search> searches = {
+      {out[0].end[0], 0, {-10, -20, -30}, with_mismatch},
+      {out[0].end[1], 0, {10, 20, 30}, with_mismatch},
+      {out[1].end[0], mu, {0.8 * mu, 0.6 * mu, 0.4 * mu, 0.2 * mu}, with_friction},
+      {out[1].end[1], mu, {1.5 * mu, 2 * mu}, with_friction}};
+  const int count = static_cast<int>(searches.size());
   std::atomic<int> done = 0;
-  parallel_each(ends, [&](int k) {
-    checkpoint("process window", static_cast<double>(done) / ends);
-    const Axis& axis = axes[k / 2];
-    out[k / 2].end[k % 2] = search(axis.own, axis.values[k % 2], axis.fails);
+  parallel_each(count, [&](int k) {
+    checkpoint("process window", static_cast<double>(done) / count);
+    searches[k].end = search(searches[k].own, searches[k].values, searches[k].fails);
     ++done;
   });
   return out;

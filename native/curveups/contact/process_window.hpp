@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// How far front and back membrane may differ in pull, and how far friction may change, each alone,
-// until a design no longer holds. Every sample is a design of its own that settles.
+// Process window: ranges of the pull of front against back membrane, and of friction, each alone,
+// in which a design holds. Every sample settles by itself.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace curveups {
 
-// End of one search: the last sample that holds, and the failure at the next one, if any.
+// End of a range: the last sample that holds, and the failure at the next one, if any.
 struct WindowEnd {
   double value = 0;
   std::optional<Finding> failure;
@@ -26,13 +26,13 @@ struct WindowRange {
   std::array<WindowEnd, 2> end;
 };
 
-// Failure where each side's membrane pulls this many times as hard, at this friction.
+// Returns the failure where each side's membrane pulls this many times as hard, at this friction.
 using WindowSample =
     std::function<std::optional<Finding>(const std::array<double, 2>& pull, double friction)>;
 
-// friction: the design's own, where it holds. From one sample to the next until one fails; then the
-// range between it and its neighbour is halved twice. Nothing says that it would not hold again
-// further on. All ends are searched at once where there are threads.
+// Goes from the design's own friction and pull, where it holds, from one sample to the next until
+// one fails; then halves the range between it and its neighbour twice. The design might hold again
+// further on. All ends are searched in parallel.
 std::vector<WindowRange> process_window(double friction, const WindowSample& sample);
 
 }  // namespace curveups

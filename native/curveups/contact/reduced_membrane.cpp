@@ -24,6 +24,7 @@ ReducedMembrane::ReducedMembrane(const MembraneDomain& domain, const Points2& fl
                                  const Points3& corners, double tau,
                                  const MembraneMaterial& material, int first_node)
     : material_(material), tau_(tau) {
+  int node = first_node;
   for (const MembranePatch& patch : domain.patches) {
     const std::vector<int>& c = patch.corners;
     const int n = static_cast<int>(c.size());
@@ -55,8 +56,6 @@ ReducedMembrane::ReducedMembrane(const MembraneDomain& domain, const Points2& fl
       elements_.push_back(std::move(element));
       continue;
     }
-    const int node = first_node + static_cast<int>(polygons_.size());
-    polygons_.push_back(c);
     const Vec2 middle = middle_of(c, flat);
     for (int k = 0; k < n; ++k) {
       const int a = c[k], b = c[(k + 1) % n];
@@ -66,10 +65,11 @@ ReducedMembrane::ReducedMembrane(const MembraneDomain& domain, const Points2& fl
       add_triangle(element, {0, 1, 2}, {middle, flat.row(a), flat.row(b)}, 1);
       elements_.push_back(std::move(element));
     }
+    ++node;
   }
 }
 
-// A triangle that is turned over in the layout pulls nothing.
+// Adds a triangle unless it is turned over in the layout.
 void ReducedMembrane::add_triangle(Element& element, const std::array<int, 3>& corner,
                                    const std::array<Vec2, 3>& flat, double share) const {
   Eigen::Matrix2d rest;
@@ -100,7 +100,7 @@ double ReducedMembrane::evaluate(const Element& element, const Poses& poses, dou
     x[c] = arm[c] + pose.t;
     force[c].setZero();
   }
-  // By the corners' places; of pairs of corners the blocks on and above the diagonal.
+  // Second derivatives by the corners' coordinates; blocks on and above the diagonal.
   Eigen::Matrix<double, 12, 12> moves;
   if (second) moves.setZero();
   double sum = 0;

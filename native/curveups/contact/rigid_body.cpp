@@ -9,8 +9,8 @@
 namespace curveups {
 namespace {
 
-// How far a point moves that starts with this velocity and turns with it (R. M. Murray, Z. Li, S.
-// S. Sastry, A Mathematical Introduction to Robotic Manipulation, 1994, eq. 2.36).
+// Motion in unit time of a point with this velocity, which turns with the point (R. M. Murray, Z.
+// Li, S. S. Sastry, A Mathematical Introduction to Robotic Manipulation, 1994, eq. 2.36).
 Vec3 screw_shift(const Vec3& velocity, const Vec3& turn) {
   const double a = turn.norm(), half = std::sin(0.5 * a);
   const double one = a < 1e-4 ? 0.5 : 2 * half * half / (a * a);
@@ -21,15 +21,9 @@ Vec3 screw_shift(const Vec3& velocity, const Vec3& turn) {
 
 }  // namespace
 
-double size_of_motion(const Motions& rows, int i) {
-  return std::sqrt(
-      std::max(rows.row(i).head<3>().squaredNorm(), rows.row(i).tail<3>().squaredNorm()));
-}
-
 double largest_motion(const Motions& rows) {
-  double most = 0;
-  for (int i = 0; i < rows.rows(); ++i) most = std::max(most, size_of_motion(rows, i));
-  return most;
+  return std::sqrt(std::max(rows.leftCols<3>().rowwise().squaredNorm().maxCoeff(),
+                            rows.rightCols<3>().rowwise().squaredNorm().maxCoeff()));
 }
 
 Poses moved(const Poses& poses, const Motions& motions, double lever) {
@@ -39,7 +33,7 @@ Poses moved(const Poses& poses, const Motions& motions, double lever) {
     out[i].t += screw_shift(motions.row(i).head<3>(), turn);
     const double angle = turn.norm();
     if (angle == 0) continue;
-    // By a quaternion: rounding must not shear a body over many steps.
+    // A quaternion keeps rounding from shearing a body over many steps.
     Eigen::Quaterniond q =
         Eigen::Quaterniond(Eigen::AngleAxisd(angle, turn / angle)) * Eigen::Quaterniond(poses[i].R);
     out[i].R = q.normalized().toRotationMatrix();

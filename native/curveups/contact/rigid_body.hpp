@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Convex rigid bodies, where they are, and small motions of them.
+// Convex rigid bodies, their poses, and small motions.
 #pragma once
 
 #include <vector>
@@ -14,11 +14,11 @@ struct BodySurface {
   Vec3 normal;                // unit, outward
   double offset;              // the face lies where normal . x = offset
   std::vector<Vec3> outline;  // counter-clockwise seen from outside
-  // What stands on the face and touches in its place, such as the apexes of bumps. Empty: the face
+  // Points that stand on the face and touch in its place, such as apexes of bumps; empty: the face
   // touches with its own plane.
   std::vector<Vec3> tips = {};
-  double stiffness = 0;      // of the body below the face, N / mm3: a pressure a depth
-  double tip_stiffness = 0;  // of one tip, N / mm
+  double stiffness = 0;      // pressure per depth of the body below the face, N / mm3
+  double tip_stiffness = 0;  // N / mm
 };
 
 // Coordinates are about a point of the body near its middle. A body without faces is a point that
@@ -30,31 +30,30 @@ struct RigidBody {
 
   bool is_point() const { return faces.empty(); }
 
-  static constexpr int every_piece = -1;  // of what touches all
+  static constexpr int every_piece = -1;  // touches all pieces
   bool can_touch(const RigidBody& other) const {
     return !(fixed && other.fixed) &&
            (piece == other.piece || piece == every_piece || other.piece == every_piece);
   }
 };
 
-// Where each body is.
+// Pose of each body.
 using Poses = std::vector<RigidMotion>;
 
-// Small motions, a row a body: how far its origin moves (mm), and by how much it turns, a rotation
-// vector in world coordinates times `lever`, so that all six are lengths.
+// Small motions, a row a body: motion of its origin (mm), and rotation vector in world coordinates
+// times `lever`, so that all six are lengths.
 using Motions = BlockVector<6>;
 
-// Of a row's two parts the longer one; of all rows the longest. Forces have rows of this kind, too.
-double size_of_motion(const Motions& rows, int i);
+// Largest norm of a row's two halves, over all rows; forces have rows of this kind, too.
 double largest_motion(const Motions& rows);
 
-// The poses after these motions, along screws: bodies that turn as one about whatever axis stay as
-// they are to one another. Rows of zeros leave a pose as it is, bit by bit.
+// Poses after these motions, along screws: bodies that turn as one about any axis keep their
+// relative poses. Rows of zeros leave a pose bit for bit.
 Poses moved(const Poses& poses, const Motions& motions, double lever);
-// The motions that lead from one to the other, where origins go straight and turns are less than
-// half a circle.
+// Motions that lead from one to the other, where origins go straight and turns are less than half a
+// circle.
 Motions motions_between(const Poses& from, const Poses& to, double lever);
-// Twice the axial vector of M's antisymmetric part; of a rotation, the axis times twice the sine.
+// Twice the axial vector of M's antisymmetric part; for a rotation, the axis times twice the sine.
 Vec3 twice_axial_vector(const Eigen::Matrix3d& M);
 
 // The skew-symmetric matrix S of v: S x = v x x.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "curveups/bodies/convex_distance.hpp"
@@ -25,7 +26,7 @@ double sphere_stiffness(double R, double force) {
   return std::pow(4.0 / 3 * both * std::sqrt(R), 2.0 / 3) * std::cbrt(force);
 }
 
-// Per tile and wall the number of its contact, or -1.
+// Contact of each wall of each tile, or -1.
 std::vector<std::array<int, 3>> contacts_of_walls(const TileMesh& tiles) {
   std::vector<std::array<int, 3>> out(tiles.tile_count(), {-1, -1, -1});
   for (std::size_t k = 0; k < tiles.contacts.size(); ++k) {
@@ -35,7 +36,7 @@ std::vector<std::array<int, 3>> contacts_of_walls(const TileMesh& tiles) {
   return out;
 }
 
-// Of the finite elements on the tiles, extrapolated from both meshes.
+// Wrenches of the finite elements on the tiles, extrapolated from both meshes.
 Wrenches pull_of(const MembraneSolution& elements, const Points3& centres) {
   Wrenches fine = Wrenches::Zero(centres.rows(), 6), coarse = fine;
   add_wrenches(elements.forces, elements.pin_corners, centres, fine);
@@ -43,22 +44,21 @@ Wrenches pull_of(const MembraneSolution& elements, const Points3& centres) {
   return extrapolate<Wrenches>(fine, coarse);
 }
 
-// Of a reduced membrane on the tiles.
+// Wrenches of a reduced membrane on the tiles.
 Wrenches pull_of(const ReducedMembrane& membrane, const Poses& poses, int tile_count) {
   Motions gradient = Motions::Zero(poses.size(), 6);
   membrane.derivatives(poses, 1, gradient, nullptr);
   return -gradient.topRows(tile_count);
 }
 
-// interface: where neighbours touch at the start, when no tile had turned. tiles: where they are.
 BalanceSystem balance_of(std::vector<ContactPoint> interface, const Poses& tiles, double L) {
   Points3 centres(tiles.size(), 3);
   for (std::size_t i = 0; i < tiles.size(); ++i) centres.row(i) = tiles[i].t.transpose();
   return BalanceSystem(std::move(interface), centres, L, {});
 }
 
-// Wrenches on all tiles, shared out to the corners of interfaces, by the least forces that
-// neighbours can exert on one another.
+// Least forces between neighbours, at the corners of interfaces, that exert these wrenches on all
+// tiles.
 std::vector<PairLoad> shared_out(const Wrenches& wrenches, const Poses& tiles,
                                  BalanceSystem& system) {
   const ContactForces forces = solve_contact_forces(system, wrenches);
@@ -130,7 +130,7 @@ class Builder {
       tips += points.rows();
       interfaces += points.rows() > 0;
     }
-    // About what a tip carries: an interface has four contact points.
+    // Estimate of the force on a tip: an interface has four contact points.
     const double force = tips == 0 ? 1
                                    : force_scale(solved_) * 4 * static_cast<double>(interfaces) /
                                          static_cast<double>(tips);
@@ -173,17 +173,11 @@ class Builder {
       domain_[s] = make_membrane_domain(tiles_, static_cast<Side>(s));
       corners_[s] =
           actuated_pin_corners(tiles_, bodies_.q, static_cast<Side>(s), bodies_.parameters.H_pin);
-      first_node_[s] = static_cast<int>(list_.size());
-      for (const MembranePatch& patch : domain_[s].patches) {
-        if (patch.vertex < 0) continue;
-        RigidMotion place;
-        for (int c : patch.corners) {
-          place.t += corners_[s].row(c).transpose() / static_cast<double>(patch.corners.size());
-        }
-        list_.emplace_back();
-        poses_.push_back(place);
-      }
+      first_node_[s] = static_cast<int>(poses_.size());
+      const Poses nodes = membrane_nodes(tiles_, static_cast<Side>(s), corners_[s]);
+      poses_.insert(poses_.end(), nodes.begin(), nodes.end());
     }
+    list_.resize(poses_.size());
   }
 
   Points3 own_corners(int s) const {
@@ -201,7 +195,7 @@ class Builder {
         bodies_.parameters.tau, material, first_node_[s]);
   }
 
-  // The nodes come to rest while the tiles stand still.
+  // Lets the nodes come to rest while the tiles stand still.
   void settle_nodes() {
     std::vector<RigidBody> still(list_.size());
     for (int i = 0; i < count_; ++i) still[i].fixed = true;
@@ -224,7 +218,7 @@ class Builder {
     return out;
   }
 
-  // A table that only pushes, where the piece rests on one.
+  // Adds the table, which only pushes, where the piece rests on one.
   void add_ground() {
     const Parameters& p = bodies_.parameters;
     if (p.gravity != "resting") return;
@@ -273,10 +267,10 @@ Points3 TileWorld::pin_corners(Side side) const {
   return out;
 }
 
-double TileWorld::solve_elements(SolvedDesign& solved, double enough) {
-  std::array<char, 2> found{};
+double TileWorld::solve_elements(SolvedDesign& solved, double tolerance) {
+  std::array<char, 2> converged{};
   parallel_each(2, [&](int s) {
-    found[s] =
+    converged[s] =
         move_pins(solved.membranes[s], pin_corners(static_cast<Side>(s)), solved.design.parameters);
   });
   const Poses& poses = world->poses();
@@ -290,23 +284,44 @@ double TileWorld::solve_elements(SolvedDesign& solved, double enough) {
   double mean = 0, off = 0;
   std::array<Wrenches, 2> missing;
   for (int s = 0; s < 2; ++s) {
-    if (!found[s]) throw no_equilibrium(static_cast<Side>(s));
+    if (!converged[s]) throw no_equilibrium(static_cast<Side>(s));
     const Wrenches pull = pull_of(solved.membranes[s], system.centres());
     missing[s] = pull - pull_of(*membranes[s], poses, tile_count);
-    Motions felt = Motions::Zero(poses.size(), 6);
-    corrections[s]->derivatives(poses, 1, felt, nullptr);
-    Wrenches change = missing[s] + felt.topRows(tile_count);
+    Motions corrected = Motions::Zero(poses.size(), 6);
+    corrections[s]->derivatives(poses, 1, corrected, nullptr);
+    Wrenches change = missing[s] + corrected.topRows(tile_count);
     change.rightCols<3>() /= L;
     off = std::max(off, change.rowwise().norm().maxCoeff());
     mean += pull.leftCols<3>().rowwise().norm().mean();
   }
   if (!(mean > 0)) return 0;
-  if (off > enough * mean) {
+  if (off > tolerance * mean) {
     for (int s = 0; s < 2; ++s) {
       corrections[s]->loads = shared_out(missing[s], tiles, system);
     }
   }
   return off / mean;
+}
+
+Poses membrane_nodes(const TileMesh& tiles, Side side, const Points3& pin_corners) {
+  Poses out;
+  for (const MembranePatch& patch : make_membrane_domain(tiles, side).patches) {
+    if (patch.vertex < 0) continue;
+    RigidMotion node;
+    for (int c : patch.corners) {
+      node.t += pin_corners.row(c).transpose() / static_cast<double>(patch.corners.size());
+    }
+    out.push_back(node);
+  }
+  return out;
+}
+
+Eigen::VectorXd contact_pushes(const TileMesh& tiles, const ContactWorld& world) {
+  std::map<std::array<int, 2>, double> push;
+  for (const TouchForce& touch : world.forces()) push[touch.body] += touch.push;
+  Eigen::VectorXd out(static_cast<Eigen::Index>(tiles.contacts.size()));
+  for (Eigen::Index k = 0; k < out.size(); ++k) out(k) = push[tiles.contacts[k].tile];
+  return out;
 }
 
 TileWorld make_tile_world(const TileBodies& bodies, const SolvedDesign& solved,

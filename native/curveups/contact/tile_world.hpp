@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A design's tiles as rigid bodies under their membranes and their weight, standing where they
-// stand when actuated: what settles, and what rises from flat.
+// A design's tiles as rigid bodies under their membranes and their weight, at first in the actuated
+// configuration. They settle there, or rise from flat (actuation).
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace curveups {
 
-// Young's modulus of printed tiles, MPa: an assumption. It says how far walls and bumps give way.
+// Young's modulus of printed tiles, MPa, by which walls and bumps give way: an assumption.
 inline constexpr double tile_modulus = 2000;
 
 // The tiles are bodies 0 to tile_count - 1, in their order, about their centres (tile_centres),
@@ -26,27 +26,33 @@ struct TileWorld {
   int tile_count = 0;
   double L = 0;
   Poses start;
-  std::array<Points3, 2> pins;          // pin corners of a side, as points of their tiles
-  std::vector<ContactPoint> interface;  // where neighbours exert corrections, at the start
-  // The world's own energies. A side's corrections are what the tiles feel less by the reduced
-  // membrane than by the finite elements.
+  std::array<Points3, 2> pins;  // pin corners per side, as points of their tiles
+  std::vector<ContactPoint>
+      interface;  // points of the corrections between neighbours, at the start
+  // Energies of the world. A side's corrections are the differences of forces on tiles between the
+  // finite elements and the reduced membrane.
   std::array<ReducedMembrane*, 2> membranes{};
   std::array<PairLoads*, 2> corrections{};
 
-  // Where the corners of a side's pins are now, as solve_membranes numbers them.
+  // Present corners of a side's pins, as solve_membranes numbers them.
   Points3 pin_corners(Side side) const;
-  // Solves the finite elements of the membranes, `solved`, with the pins where they are now, and,
-  // where the tiles feel something else by more than `enough`, makes them feel that. Returns by how
-  // much: the largest force, or torque over L, over the mean force on a tile. Throws SolverFailure
-  // where a membrane finds no equilibrium, Cancelled.
-  double solve_elements(SolvedDesign& solved, double enough);
+  // Solves the finite elements of the membranes, `solved`, with the pins at their present places.
+  // Returns the largest difference of a force, or torque over L, from those in the world, over the
+  // mean force on a tile; where it is above the tolerance, the corrections follow the elements.
+  // Throws SolverFailure where a membrane finds no equilibrium, Cancelled.
+  double solve_elements(SolvedDesign& solved, double tolerance);
 };
 
-// What stands on walls are bumps as they are made, else the walls touch. Membranes are reduced
-// (reduced_membrane.hpp); to their forces are added the differences from those of the finite
-// elements in the actuated configuration, as forces that neighbours exert on one another: at the
-// start the wrenches on all tiles are those of `solved`, times `pull` of each side's membrane: its
-// forces are proportional to its thickness and modulus. Throws what plan_bumps throws.
+// Nodes of a side's reduced membrane, each amid its polygon's pin corners.
+Poses membrane_nodes(const TileMesh& tiles, Side side, const Points3& pin_corners);
+
+// Normal force of each contact, N.
+Eigen::VectorXd contact_pushes(const TileMesh& tiles, const ContactWorld& world);
+
+// Tiles touch with their bumps, or with walls where these have none. Membranes are reduced
+// (reduced_membrane.hpp) and corrected by forces between neighbours, so that at the start the
+// wrenches on all tiles are those of `solved`, times `pull` of each side's membrane: forces are
+// proportional to a membrane's thickness and modulus. Throws what plan_bumps throws.
 TileWorld make_tile_world(const TileBodies& bodies, const SolvedDesign& solved,
                           const std::array<double, 2>& pull = {1, 1});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The virtual scan: the front surface that a piece has once its tiles have moved, beside another.
+// Virtual scan: the front surface of a piece whose tiles have moved, beside another surface.
 #pragma once
 
 #include "curveups/contact/rigid_body.hpp"
@@ -10,25 +10,26 @@ namespace curveups {
 
 // Distances of a scanned surface from the designed one, mm.
 struct VirtualScan {
-  double mean = 0, rms = 0, p95 = 0;  // of samples of the scanned surface
-  double largest = 0;                 // of all its points, by samples
-  double hausdorff = 0;               // the larger of both directions' largest, likewise
+  double mean = 0, rms = 0, p95 = 0;  // over samples of the scanned surface (scan_distances)
+  double largest = 0;                 // over all its points (surface_deviation.hpp)
+  double hausdorff = 0;               // larger of both directions' largest
 };
 
-// The rigid motion of one set of points to where it is nearest to the other (W. Kabsch, 1976).
+// Rigid motion of one set of points that is the least-squares fit to the other (W. Kabsch, 1976).
 RigidMotion best_fit(const Points3& from, const Points3& to);
 
-// The front triangles, three vertices of their own a tile, after the rigid motion of each piece
-// that fits it best to where it was designed. centres: where the tiles' bodies have their origins.
+// Front triangles, three vertices of their own a tile, after the rigid motion of each piece that
+// fits it best to its design. centres: origins of the tiles' bodies.
 TriangleMesh fitted_surface(const TileMesh& tiles, const Points3& centres, const Poses& poses);
 
-// Of corners, edge midpoints and middle of every triangle: as many rows each.
+// Distances of seven samples of every triangle, one triangle after another: corners, midpoints of
+// edges, middle.
 Eigen::VectorXd scan_distances(const TriangleMesh& mesh, const ClosestPoints& surface);
 
-// Of each triangle the mean of its own.
+// Mean of each triangle's distances.
 Eigen::VectorXd triangle_means(const Eigen::VectorXd& distances);
 
-// distances: scan_distances of `scanned`. designed: what they are the distances from.
+// distances: scan_distances of `scanned` from `designed`.
 VirtualScan describe_scan(Eigen::VectorXd distances, const TriangleMesh& scanned,
                           const TriangleMesh& designed);
 

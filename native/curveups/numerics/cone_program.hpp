@@ -13,7 +13,6 @@
 
 #include "curveups/core/progress.hpp"
 #include "curveups/core/types.hpp"
-#include "curveups/numerics/second_order_cone.hpp"
 #include "curveups/numerics/solve_report.hpp"
 
 namespace curveups {

@@ -6,21 +6,21 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/numerics/block_matrix.hpp"
+#include "curveups/numerics/cone_method.hpp"
 #include "curveups/numerics/one_thread.hpp"
 
 namespace curveups {
 namespace {
 
 constexpr int max_iterations = 80;
-// By how much of a change of its multiplier a row may be missed in one iteration: the next ones
-// make up for it. Without, a met row's weight grows until rounding of its value outweighs the
-// multiplier.
+// Regularization: part of a change of its multiplier by which a row may be missed in an iteration;
+// later ones make up for it. Without it, a met row's weight grows until rounding of its value
+// outweighs the multiplier.
 constexpr double least_give = 1e-11;
 // Iterations of conjugate gradients, and their residual relative to the first, in the
 // preconditioner's norm.
@@ -30,7 +30,7 @@ constexpr double krylov_tolerance = 1e-2;
 using Eigen::ArrayXd;
 using Eigen::VectorXd;
 
-// C^T W C + diagonal over the sparse rows: a coupling for every product of two entries of a row.
+// Calls body for every product of two entries of a row, each of which is a coupling of C^T W C.
 template <class Body>
 void for_products(const SparseRows& rows, const Body& body) {
   for (int r = 0; r < rows.rows(); ++r) {
@@ -59,7 +59,7 @@ void assemble(const SparseRows& rows, const ArrayXd& weight, const ArrayXd& diag
   });
 }
 
-// All rows, sparse ones first.
+// Product of z with all rows, sparse ones first.
 VectorXd rows_times(const LeastStepProblem& p, const VectorXd& z) {
   VectorXd out(p.sparse.rows() + p.dense.cols());
   out.head(p.sparse.rows()) = p.sparse * z;
@@ -71,61 +71,51 @@ VectorXd transposed_times(const LeastStepProblem& p, const VectorXd& m) {
   return p.sparse.transpose() * m.head(p.sparse.rows()) + p.dense * m.tail(p.dense.cols());
 }
 
-// The largest step that keeps value + step change from getting negative.
-double longest(const ArrayXd& value, const ArrayXd& change) {
-  double length = std::numeric_limits<double>::infinity();
-  for (Eigen::Index i = 0; i < value.size(); ++i) {
-    if (change(i) < 0) length = std::min(length, -value(i) / change(i));
-  }
-  return length;
-}
-
-// Iterates: z, the rows' slacks s and elastic parts e, and multipliers of s, e and the bounds.
-class LeastStepMethod {
+// Iterate z with the half-lines of a ConeProblem, one after another: slacks s of the rows with
+// multipliers m; elastic parts e; rooms from the lower and to the upper bounds. These rooms are
+// kept apart from z, which has no digits for small ones, and the multipliers of e apart from
+// penalty - m, which cancels where a row stays unmet.
+class LeastStepMethod : public ConeProblem {
  public:
   explicit LeastStepMethod(const LeastStepProblem& problem);
   LeastStep run();
 
+  bool converged(double complementarity) override;
+  bool factorize(const std::vector<ConeScaling>& scalings) override;
+  ConeStep newton(const ConePoint& shift) override;
+  void advance(double length) override { z_ += length * dz_; }
+
  private:
-  struct Direction {
-    ArrayXd z, s, e, m, elastic, lower, upper;
+  struct Parts {
+    ArrayXd s, e, low, high;
   };
-  // What products of complementary values are to become.
-  struct Products {
-    ArrayXd s, e, lower, upper;
-  };
+  Parts parts(const ArrayXd& line) const {
+    return {line.head(rows_), line.segment(rows_, rows_), line.segment(2 * rows_, n_),
+            line.tail(n_)};
+  }
+  ArrayXd joined(const Parts& parts) const {
+    ArrayXd out(2 * (rows_ + n_));
+    out << parts.s, parts.e, parts.low, parts.high;
+    return out;
+  }
   VectorXd gradient() const;
-  void linearize();
-  bool converged() const;
-  // The Newton system's matrix at the iterate. False where it can't be.
-  bool factorize();
   VectorXd solve(const VectorXd& right) const;
   VectorXd solve_rows(const VectorXd& right) const;
   VectorXd multiply_rows(const VectorXd& z) const;
-  Direction newton(const Products& target) const;
-  double step_length(const Direction& d) const;
-  // Products mu, less the second-order terms of the step that leads to none.
-  static Products corrected(double mu, const Direction& affine);
-  // Of the iterate after a step of this length, summed up.
-  double complementarity(const Direction& d, double length) const;
-  void advance(const Direction& d, double length);
 
   const LeastStepProblem& problem_;
   const Eigen::Index n_, sparse_, dense_, rows_;
   VectorXd c_, wanted_;
-  ArrayXd penalty_;
+  ArrayXd penalty_, z_, dz_;
   BlockMatrix<1> normal_;
-  // Of the Newton system: weights of the rows; dense rows, also by L^-1 of the sparse rows' L L^T;
-  // what the Woodbury identity leaves of them.
+  // Newton system: weights of the rows and z / l of the half-lines; dense rows, also by L^-1 of the
+  // sparse rows' L L^T; Schur complement that the Woodbury identity leaves of them.
   ArrayXd weight_;
+  Parts scale_;
   Eigen::MatrixXd dense_ranked_, half_;
   Eigen::LDLT<Eigen::MatrixXd> small_;
-  ArrayXd z_, s_, e_;
-  // elastic_, of e, is kept apart from penalty - m, which cancels where a row stays unmet.
-  ArrayXd m_, elastic_, lower_, upper_;
-  ArrayXd low_, high_;  // rooms to the bounds, kept apart from z: it has no digits for small ones
+  // Residuals: of the rows, of the objective's gradient, of the elastic parts' multipliers.
   ArrayXd residual_, dual_, unpaid_;
-  double mu_ = LeastStepProblem::dense_penalty;  // at first: of several tried with the fewest steps
 };
 
 LeastStepMethod::LeastStepMethod(const LeastStepProblem& problem)
@@ -139,58 +129,51 @@ LeastStepMethod::LeastStepMethod(const LeastStepProblem& problem)
       penalty_(rows_),
       normal_(normal_pattern(problem.sparse)),
       dense_ranked_(normal_.ranked(problem.dense)) {
-  c_.head(sparse_) = problem.sparse_value;
-  c_.tail(dense_) = problem.dense_value;
+  c_ << problem.sparse_value, problem.dense_value;
   penalty_.head(sparse_) = problem.sparse_penalty;
   penalty_.tail(dense_) = problem.dense_penalty;
   const ArrayXd width = (problem.upper - problem.lower).array();
   z_ = (-problem.lower.array()).max(0.1 * width).min(0.9 * width) + problem.lower.array();
-  // On the central path of complementarity mu, but for z: s m = mu, e (penalty - m) = mu.
-  const ArrayXd u = (rows_times(problem, z_.matrix()) + c_).array() * penalty_ / (2 * mu_);
+  // On the central path of this complementarity, but for z: s m = mu, e (penalty - m) = mu.
+  constexpr double mu = LeastStepProblem::dense_penalty;  // of several tried with the fewest steps
+  const ArrayXd u = (rows_times(problem, z_.matrix()) + c_).array() * penalty_ / (2 * mu);
   const ArrayXd root = (1 + u.square()).sqrt();
-  const ArrayXd ratio = (u > 0).select(u + root, 1 / (root - u));  // of elastic_ to m_
-  m_ = penalty_ / (1 + ratio);
-  elastic_ = m_ * ratio;
-  s_ = mu_ / m_;
-  e_ = mu_ / elastic_;
-  low_ = z_ - problem.lower.array();
-  high_ = problem.upper.array() - z_;
-  lower_ = mu_ / low_;
-  upper_ = mu_ / high_;
+  const ArrayXd ratio = (u > 0).select(u + root, 1 / (root - u));  // of e's multipliers to m
+  const ArrayXd m = penalty_ / (1 + ratio);
+  multiplier.line =
+      joined({m, m * ratio, mu / (z_ - problem.lower.array()), mu / (problem.upper.array() - z_)});
+  slack.line = mu / multiplier.line;
 }
 
-// Of the objective, but for the elastic parts.
+// Gradient of the objective without the elastic parts.
 VectorXd LeastStepMethod::gradient() const {
   VectorXd out = z_.matrix() - wanted_;
   if (problem_.quadratic) out += problem_.quadratic->apply(z_.matrix()) + problem_.linear;
   return out;
 }
 
-void LeastStepMethod::linearize() {
-  residual_ = rows_times(problem_, z_.matrix()).array() + c_.array() + e_ - s_;
-  dual_ = gradient().array() - transposed_times(problem_, m_.matrix()).array() - lower_ + upper_;
-  unpaid_ = penalty_ - m_ - elastic_;
-  const double products =
-      (s_ * m_).sum() + (e_ * elastic_).sum() + (low_ * lower_).sum() + (high_ * upper_).sum();
-  mu_ = products / static_cast<double>(2 * rows_ + 2 * n_);
-  if (!std::isfinite(mu_)) {
+bool LeastStepMethod::converged(double complementarity) {
+  const double mu = complementarity / static_cast<double>(slack.line.size());
+  if (!std::isfinite(mu)) {
     throw SolverFailure("a repair step holds numbers that are not finite",
                         "check the design for degenerate tiles");
   }
-}
-
-bool LeastStepMethod::converged() const {
+  const Parts l = parts(multiplier.line), z = parts(slack.line);
+  residual_ = rows_times(problem_, z_.matrix()).array() + c_.array() + z.e - z.s;
+  dual_ = gradient().array() - transposed_times(problem_, l.s.matrix()).array() - l.low + l.high;
+  unpaid_ = penalty_ - l.s - l.e;
   const double infeasible = rows_ > 0 ? residual_.abs().maxCoeff() : 0.0;
   const double unpaid = rows_ > 0 ? unpaid_.abs().maxCoeff() : 0.0;
   const double dual = std::max(dual_.abs().maxCoeff(), unpaid / (1 + problem_.sparse_penalty));
   // Conjugate gradients leave a dual residual.
-  if (problem_.quadratic) return mu_ < 1e-4 && infeasible < 1e-6 && dual < 1e-2;
-  return mu_ < 1e-10 && infeasible < 1e-9 && dual < 1e-6;
+  if (problem_.quadratic) return mu < 1e-4 && infeasible < 1e-6 && dual < 1e-2;
+  return mu < 1e-10 && infeasible < 1e-9 && dual < 1e-6;
 }
 
-bool LeastStepMethod::factorize() {
-  weight_ = 1 / (s_ / m_ + e_ / elastic_ + least_give);
-  assemble(problem_.sparse, weight_.head(sparse_), 1 + lower_ / low_ + upper_ / high_, normal_);
+bool LeastStepMethod::factorize(const std::vector<ConeScaling>&) {
+  scale_ = parts(slack.line / multiplier.line);
+  weight_ = 1 / (scale_.s + scale_.e + least_give);
+  assemble(problem_.sparse, weight_.head(sparse_), 1 + 1 / scale_.low + 1 / scale_.high, normal_);
   if (!normal_.factorize()) return false;
   if (dense_ > 0) {
     half_ = normal_.factor().solve_lower(dense_ranked_);
@@ -204,7 +187,7 @@ bool LeastStepMethod::factorize() {
   return true;
 }
 
-// Of all but the quadratic map.
+// Solution of the Newton system without the quadratic map.
 VectorXd LeastStepMethod::solve_rows(const VectorXd& right) const {
   VectorXd z = normal_.factor().solve_lower(normal_.ranked(right));
   if (dense_ > 0) z -= half_ * small_.solve(half_.transpose() * z);
@@ -220,16 +203,16 @@ VectorXd LeastStepMethod::multiply_rows(const VectorXd& z) const {
   return out;
 }
 
-// With what rounding left of the right-hand side once more; by conjugate gradients where there is a
-// quadratic map, preconditioned by all the rest.
+// Solution of the Newton system, refined once; with a quadratic map by conjugate gradients,
+// preconditioned by all the rest.
 VectorXd LeastStepMethod::solve(const VectorXd& right) const {
   VectorXd z = solve_rows(right);
   if (!problem_.quadratic) return z + solve_rows(right - multiply_rows(z));
   VectorXd p = z, r = right, y = z;
   z.setZero();
   double now = r.dot(y);
-  const double enough = krylov_tolerance * krylov_tolerance * now;
-  for (int k = 0; k < most_krylov_iterations && now > enough; ++k) {
+  const double goal = krylov_tolerance * krylov_tolerance * now;
+  for (int k = 0; k < most_krylov_iterations && now > goal; ++k) {
     const VectorXd along = multiply_rows(p) + problem_.quadratic->apply(p);
     const double length = now / p.dot(along);
     z += length * p;
@@ -243,76 +226,27 @@ VectorXd LeastStepMethod::solve(const VectorXd& right) const {
   return z;
 }
 
-LeastStepMethod::Direction LeastStepMethod::newton(const Products& target) const {
-  const ArrayXd free = (target.e - e_ * (elastic_ + unpaid_)) / elastic_;
-  const ArrayXd k = -residual_ - free + target.s / m_ - s_;
-  const VectorXd right = -gradient() + transposed_times(problem_, (m_ + weight_ * k).matrix()) +
-                         (target.lower / low_ - target.upper / high_).matrix();
-  const VectorXd dz = solve(right);
-  Direction d;
-  d.z = dz.array();
-  d.m = weight_ * (k - rows_times(problem_, dz).array());
-  d.e = free + e_ / elastic_ * d.m;
-  d.elastic = unpaid_ - d.m;
-  d.s = target.s / m_ - s_ - s_ / m_ * d.m;
-  d.lower = target.lower / low_ - lower_ - lower_ / low_ * d.z;
-  d.upper = target.upper / high_ - upper_ + upper_ / high_ * d.z;
-  return d;
-}
-
-double LeastStepMethod::step_length(const Direction& d) const {
-  return std::min({longest(s_, d.s), longest(e_, d.e), longest(low_, d.z), longest(high_, -d.z),
-                   longest(m_, d.m), longest(elastic_, d.elastic), longest(lower_, d.lower),
-                   longest(upper_, d.upper)});
-}
-
-double LeastStepMethod::complementarity(const Direction& d, double t) const {
-  return ((s_ + t * d.s) * (m_ + t * d.m)).sum() +
-         ((e_ + t * d.e) * (elastic_ + t * d.elastic)).sum() +
-         ((low_ + t * d.z) * (lower_ + t * d.lower)).sum() +
-         ((high_ - t * d.z) * (upper_ + t * d.upper)).sum();
-}
-
-LeastStepMethod::Products LeastStepMethod::corrected(double mu, const Direction& affine) {
-  return {mu - affine.s * affine.m, mu - affine.e * affine.elastic, mu - affine.z * affine.lower,
-          mu + affine.z * affine.upper};
-}
-
-void LeastStepMethod::advance(const Direction& d, double length) {
-  z_ += length * d.z;
-  low_ += length * d.z;
-  high_ -= length * d.z;
-  s_ += length * d.s;
-  e_ += length * d.e;
-  m_ += length * d.m;
-  elastic_ += length * d.elastic;
-  lower_ += length * d.lower;
-  upper_ += length * d.upper;
+ConeStep LeastStepMethod::newton(const ConePoint& shift) {
+  const Parts to = parts(shift.line);
+  const ArrayXd free = to.e - scale_.e * unpaid_;
+  const ArrayXd k = -residual_ - free + to.s;
+  dz_ = solve((transposed_times(problem_, (weight_ * k).matrix()).array() - dual_ +
+               to.low / scale_.low - to.high / scale_.high)
+                  .matrix());
+  const ArrayXd m = weight_ * (k - rows_times(problem_, dz_.matrix()).array());
+  return {{joined({to.s - scale_.s * m, free + scale_.e * m, dz_, -dz_})},
+          {joined({m, unpaid_ - m, (to.low - dz_) / scale_.low, (to.high + dz_) / scale_.high})}};
 }
 
 LeastStep LeastStepMethod::run() {
   LeastStep out;
-  const Products none{ArrayXd::Zero(rows_), ArrayXd::Zero(rows_), ArrayXd::Zero(n_),
-                      ArrayXd::Zero(n_)};
-  for (; out.solve.iterations < max_iterations; ++out.solve.iterations) {
-    linearize();
-    if (converged()) {
-      out.solve.status = SolveStatus::converged;
-      break;
-    }
-    if (!factorize()) break;
-    const Direction affine = newton(none);
-    const double left = std::min(1.0, complementarity(affine, std::min(1.0, step_length(affine))) /
-                                          complementarity(affine, 0));
-    const Direction way = newton(corrected(left * left * left * mu_, affine));
-    if (!way.z.allFinite()) break;
-    advance(way, std::min(1.0, 0.995 * step_length(way)));
-  }
+  out.solve = solve_cone_problem(*this, max_iterations);
+  const Parts l = parts(multiplier.line);
   out.z = z_.max(problem_.lower.array()).min(problem_.upper.array());
-  out.sparse_multiplier = m_.head(sparse_);
-  out.dense_multiplier = m_.tail(dense_);
-  out.lower_multiplier = lower_;
-  out.upper_multiplier = upper_;
+  out.sparse_multiplier = l.s.head(sparse_);
+  out.dense_multiplier = l.s.tail(dense_);
+  out.lower_multiplier = l.low;
+  out.upper_multiplier = l.high;
   return out;
 }
 

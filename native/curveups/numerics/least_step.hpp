@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The least step that keeps linearised constraints, a convex quadratic program:
+// Least step that keeps linearised constraints, a convex quadratic program:
 //   minimise 1/2 |z - wanted|^2 + 1/2 z . Q z + linear . z + penalty . e
 //   subject to   C z + c + e >= 0,  e >= 0,  lower <= z <= upper.
 // Rows are sparse (geometric constraints) or dense (few, each of all unknowns). The elastic e makes
 // every problem feasible (exact penalty): where constraints contradict one another those of the
-// larger penalty win, and a row's e tells what is missing. Solved by a primal-dual
-// interior-point method (S. Mehrotra, On the implementation of a primal-dual interior point method,
-// 1992), regularized (M. Friedlander, D. Orban, A primal-dual regularized interior-point method for
+// larger penalty win, and a row's e is its violation. The interior-point method (cone_method.hpp)
+// is regularized (M. Friedlander, D. Orban, A primal-dual regularized interior-point method for
 // convex quadratic programs, 2012); dense rows enter the sparse factorization by the Woodbury
 // identity.
 #pragma once
@@ -18,7 +17,7 @@
 
 namespace curveups {
 
-// A symmetric, positive semi-definite map Q.
+// Symmetric, positive semi-definite map Q.
 class QuadraticMap {
  public:
   virtual ~QuadraticMap() = default;
@@ -30,7 +29,7 @@ using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
 struct LeastStepProblem {
   SparseRows sparse;             // rows of C, sorted columns
   Eigen::VectorXd sparse_value;  // c
-  Eigen::MatrixXd dense;         // one column per row of C
+  Eigen::MatrixXd dense;         // column per row of C
   Eigen::VectorXd dense_value;
   Eigen::VectorXd lower, upper;  // lower < upper, within which zero lies or on one of which
   Eigen::VectorXd wanted;        // empty for zero
@@ -41,7 +40,7 @@ struct LeastStepProblem {
 
 struct LeastStep {
   Eigen::VectorXd z;
-  // Multipliers: how much each constraint holds the step back; at its penalty where it is not met.
+  // Multipliers of the constraints; at its penalty where a row is not met.
   Eigen::VectorXd sparse_multiplier, dense_multiplier, lower_multiplier, upper_multiplier;
   SolveReport solve;
 };

@@ -16,8 +16,8 @@
 namespace curveups {
 namespace {
 
-// Sides are lifted to a little more than A_pin_min, room for the layout; those with less than
-// near_minimum times A_pin_min must not lose what they need.
+// Areas over A_pin_min: to which sides are lifted, a little more for the layout; which others keep;
+// and below which others are looked at.
 constexpr double goal = 1.03, kept = 1.002, near_minimum = 1.5;
 
 // The same for room under membranes, as parts of H_pin.
@@ -36,7 +36,7 @@ PinSides sides_of(const std::vector<SmallPin>& pins) {
   return sides;
 }
 
-// The pins of one geometry and the tiles at its vertices, each looked for once.
+// Largest pins of one geometry and the tiles at its vertices, each computed once.
 class ClearanceProgram::Pins {
  public:
   Pins(const TileMesh& of, const Truncation& truncation, const Parameters& parameters)
@@ -55,13 +55,13 @@ class ClearanceProgram::Pins {
     return *known;
   }
 
-  // By how much the linear scale of the largest pin exceeds that of `share` times A_pin_min, in mm.
+  // Excess of the linear scale of the largest pin over that of `share` times A_pin_min, mm.
   double excess(int tile, Side side, double share) {
     const double least = std::sqrt(share * parameters_.A_pin_min / tiles.area(tile));
     return parameters_.L * (region(tile, side).scale - least);
   }
 
-  // Of the membrane of a side over the corners at a vertex, mm.
+  // Clearance of a side's membrane over the corners at a vertex, mm.
   double over_corners(int vertex, const std::vector<int>& around, Side side) {
     for (int tile : around) region(tile, side);
     const std::vector<double> clearances =
@@ -89,7 +89,7 @@ class ClearanceProgram::Pins {
   std::vector<std::vector<int>> at_vertex_;
 };
 
-// One requirement: room for a pin, a fold that is not to become sharper, or room under a membrane
+// Requirement: room for a pin, a fold that is not to become sharper, or room under a membrane
 // over the corners at a vertex or over the edge of a tile.
 struct ClearanceProgram::Need {
   enum Kind { tile_shape, corner_gap, edge_gap };
@@ -102,11 +102,11 @@ struct ClearanceProgram::Need {
   }
 };
 
-// Room under a membrane; need: its share is yet to be said.
+// Room under a membrane; the share of its need is set later.
 struct ClearanceProgram::Gap {
   Need need;
-  double clearance;        // mm
-  std::vector<int> tiles;  // that it belongs to
+  double clearance;  // mm
+  std::vector<int> tiles;
 };
 
 ClearanceProgram::ClearanceProgram(const TriangleMesh& target, const Edges& cuts,
@@ -184,7 +184,7 @@ std::vector<ClearanceProgram::Gap> ClearanceProgram::gaps(const DesignGeometry& 
   return out;
 }
 
-// at: as the tiles of `pins` number the tile or vertex.
+// at: number of the tile or vertex in the tiles of `pins`.
 double ClearanceProgram::value(const Need& need, Pins& pins, int at) const {
   const double wanted = need.share * parameters_.H_pin;
   if (need.kind == Need::edge_gap) return pins.over_edge(at, need.edge, need.side) - wanted;
@@ -198,7 +198,7 @@ double ClearanceProgram::value(const Need& need, Pins& pins, int at) const {
 
 std::vector<ClearanceProgram::Row> ClearanceProgram::rows(const DesignGeometry& here,
                                                           const PinSides& small,
-                                                          const PinSides& asked,
+                                                          const PinSides& lifted,
                                                           const std::vector<int>& vertices) const {
   struct Entry {
     Need need;
@@ -210,10 +210,10 @@ std::vector<ClearanceProgram::Row> ClearanceProgram::rows(const DesignGeometry& 
     for (Side side : {Side::front, Side::back}) pins.region(i, side);  // for all threads
   }
   for (Gap& gap : gaps(here, near_gap, pins)) {
-    const bool lifted = std::any_of(gap.tiles.begin(), gap.tiles.end(), [&](int tile) {
-      return asked.count({tile, gap.need.side}) != 0;
+    const bool lift = std::any_of(gap.tiles.begin(), gap.tiles.end(), [&](int tile) {
+      return lifted.count({tile, gap.need.side}) != 0;
     });
-    gap.need.share = lifted ? gap_goal : gap_kept;
+    gap.need.share = lift ? gap_goal : gap_kept;
     narrow[{gap.need.kind, gap.need.at, gap.need.edge}].push_back(gap.need);
   }
   const VertexPatches patches(here);
@@ -221,14 +221,14 @@ std::vector<ClearanceProgram::Row> ClearanceProgram::rows(const DesignGeometry& 
   parallel_ranges(static_cast<int>(vertices.size()), [&](int begin, int end) {
     for (int v = begin; v < end; ++v) {
       const VertexPatch patch = patches.around(vertices[v]);
-      std::vector<std::pair<Need, int>> local;  // with the tile or vertex in the patch
+      std::vector<std::pair<Need, int>> local;  // with the number of tile or vertex in the patch
       const auto add_gaps = [&](Need::Kind kind, int at, int edge, int in_patch) {
         const auto it = narrow.find({kind, at, edge});
         if (it == narrow.end()) return;
         for (const Need& need : it->second) local.push_back({need, in_patch});
       };
       if (!narrow.empty()) {
-        std::map<int, int> touched;  // vertices in the patch, with what they are in the design
+        std::map<int, int> touched;  // vertices in the patch, with their numbers in the design
         for (std::size_t k = 0; k < patch.tiles.size(); ++k) {
           for (int t = 0; t < 3; ++t) {
             const int w = patch.mesh.F(static_cast<Eigen::Index>(k), t);
@@ -245,9 +245,9 @@ std::vector<ClearanceProgram::Row> ClearanceProgram::rows(const DesignGeometry& 
         for (Side side : {Side::front, Side::back}) {
           const PinRegion& clearance = pins.region(tile, side);
           const bool close = clearance.area < near_minimum * parameters_.A_pin_min;
-          if (!std::isfinite(clearance.scale) || !(close || asked.count({tile, side}))) continue;
+          if (!std::isfinite(clearance.scale) || !(close || lifted.count({tile, side}))) continue;
           local.push_back(
-              {{Need::tile_shape, tile, -1, side, asked.count({tile, side}) ? goal : kept}, k});
+              {{Need::tile_shape, tile, -1, side, lifted.count({tile, side}) ? goal : kept}, k});
         }
         for (int t = 0; t < 3; ++t) {
           if (here.tiles.topology.neighbour(tile, t) < tile) continue;  // each edge once
@@ -273,19 +273,19 @@ std::vector<ClearanceProgram::Row> ClearanceProgram::rows(const DesignGeometry& 
       }
     }
   });
-  std::map<Need, Row> found;
+  std::map<Need, Row> by_need;
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     for (const Entry& entry : entries[v]) {
-      found[entry.need].by_vertex.push_back({static_cast<int>(v), entry.derivative});
+      by_need[entry.need].by_vertex.push_back({static_cast<int>(v), entry.derivative});
     }
   }
   std::vector<Row> out;
-  for (auto& [need, row] : found) {
+  for (auto& [need, row] : by_need) {
     row.value = value(need, pins, need.at);
     // Sides out of reach must not lose what they have.
     const bool of_pin = need.kind == Need::tile_shape && need.edge < 0;
     const bool out_of_reach =
-        of_pin && !asked.count({need.at, need.side}) && small.count({need.at, need.side}) != 0;
+        of_pin && !lifted.count({need.at, need.side}) && small.count({need.at, need.side}) != 0;
     if (out_of_reach || (!of_pin && need.share == gap_kept)) row.value = std::max(0.0, row.value);
     out.push_back(std::move(row));
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The least movement of a surface, in the sense of Eq. 4, sum_j A_j |x_j - c_j|^2, that leaves the
-// pins of its tiles room: what the smoothing for pins and that of targets have in common. Room
-// is a closed form of folds and truncation planes (pin_bounds.hpp), differentiated by the vertices
-// around (vertex_patch.hpp); a step is a quadratic program over vertices (least_step.hpp).
+// Least movement of a surface, in the sense of Eq. 4, sum_j A_j |x_j - c_j|^2, that leaves the pins
+// of its tiles room; shared by the smoothing for pins and that of targets. Room is a closed form of
+// folds and truncation planes (pin_bounds.hpp), differentiated by the vertices around
+// (vertex_patch.hpp); a step is a quadratic program over vertices (least_step.hpp).
 #pragma once
 
 #include <set>
@@ -13,7 +13,7 @@
 
 namespace curveups {
 
-using PinSide = std::pair<int, Side>;  // of a tile
+using PinSide = std::pair<int, Side>;  // tile and its side
 using PinSides = std::set<PinSide>;
 
 PinSides sides_of(const std::vector<SmallPin>& pins);
@@ -25,31 +25,30 @@ struct MoveLimits {
 
 class ClearanceProgram {
  public:
-  // The arguments must outlive this. membranes: whether they need room, too
-  // (membrane_clearance.hpp).
+  // The arguments must outlive this. membranes: these need room, too (membrane_clearance.hpp).
   ClearanceProgram(const TriangleMesh& target, const Edges& cuts, const Parameters& parameters,
                    bool membranes = false);
 
-  // As make_geometry; where tiles have no back face, without what follows from bodies (planes,
-  // interfaces): shaped is then false.
+  // Result of make_geometry; where tiles have no back face, without planes and interfaces of
+  // bodies, and shaped is false.
   DesignGeometry geometry(const TriangleMesh& mesh) const;
 
-  // What all sides together lack of room, mm: for A_pin_min, of the linear scale of their largest
-  // pins, which says of sides without any room, too, by how much they miss it; and under membranes.
+  // Sum of the room that sides lack, mm: for A_pin_min, in the linear scale of their largest pins,
+  // which also measures sides without any room; and under membranes.
   double missing(const DesignGeometry& here) const;
 
-  // Sides of tiles that lack room, with their largest pins; each once.
+  // Sides of tiles that lack room, with their largest pins.
   std::vector<SmallPin> lacking(const DesignGeometry& here) const;
 
-  // A requirement, linearised: the value must stay or become positive.
+  // Linearised requirement: the value must stay or become positive.
   struct Row {
     double value;
     std::vector<std::pair<int, Vec3>> by_vertex;  // into `vertices`, with the derivative
   };
-  // What vertices that may move have to mind. small: all sides that lack room; asked: those of them
-  // that are to get a little more than they need. Sides with little more keep what they need, those
+  // Requirements on vertices that may move. small: all sides that lack room; lifted: those of them
+  // that shall get a little more than they need. Sides with little more keep what they need, sides
   // out of reach what they have, and folds beyond 0.3 rad do not become sharper.
-  std::vector<Row> rows(const DesignGeometry& here, const PinSides& small, const PinSides& asked,
+  std::vector<Row> rows(const DesignGeometry& here, const PinSides& small, const PinSides& lifted,
                         const std::vector<int>& vertices) const;
 
   // Moves vertices of `mesh` towards the least movement from the target that keeps the rows; false
@@ -61,7 +60,7 @@ class ClearanceProgram {
   struct Need;
   struct Gap;
   class Pins;
-  // Under membranes, those of less than `most` times H_pin.
+  // Gaps under membranes of less than `most` times H_pin.
   std::vector<Gap> gaps(const DesignGeometry& here, double most, Pins& pins) const;
   double value(const Need& need, Pins& pins, int at) const;
 
@@ -70,10 +69,10 @@ class ClearanceProgram {
   const Parameters& parameters_;
   bool membranes_;
   Eigen::VectorXd weight_;  // A_j of Eq. 4
-  Array3 dihedral_;         // of the target
+  Array3 dihedral_;         // target's folds
 };
 
-// The vertices of the tiles around these: of all tiles that share a vertex with one of theirs.
+// Vertices of all tiles that share a vertex with the tiles of these sides.
 std::vector<int> vertices_around(const PinSides& sides, const TriangleMesh& mesh);
 
 }  // namespace curveups

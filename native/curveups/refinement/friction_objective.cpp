@@ -12,8 +12,8 @@ namespace curveups {
 namespace {
 
 constexpr double normal_weight = 1e-3;  // e
-constexpr double floor_of_mean = 0.15;  // of normal forces; f_min is a tenth by default
-constexpr int most_rounds = 12;         // of finding the floors that are active
+constexpr double floor_of_mean = 0.15;  // over the mean normal force; f_min is a tenth by default
+constexpr int most_rounds = 12;         // of the active set
 
 // Tiles that share a vertex with each, itself among them; ascending.
 std::vector<std::vector<int>> tiles_around(const Triangles& F, Eigen::Index vertices) {
@@ -31,7 +31,7 @@ std::vector<std::vector<int>> tiles_around(const Triangles& F, Eigen::Index vert
   return out;
 }
 
-// Tiles by colours: no tile is around two of a colour.
+// Colouring of the tiles: no tile is around two of a colour.
 std::vector<std::vector<int>> coloured(const std::vector<std::vector<int>>& around) {
   std::vector<int> colour(around.size(), -1);
   std::vector<std::vector<int>> out;
@@ -61,7 +61,7 @@ FrictionObjective::FrictionObjective(const DesignGeometry& geometry, const Param
   find_forces(loads);
 }
 
-// By an active set of floors. Ends with the system factorized for it.
+// Finds the active set of floors; leaves the system factorized for it.
 void FrictionObjective::find_forces(const Wrenches& loads) {
   const int count = system_.point_count();
   const double floor = floor_of_mean * unit_;
@@ -107,8 +107,8 @@ StepObjective FrictionObjective::linearise(const Iterate& place, const DesignFor
           }};
 }
 
-// A tile's wrench follows the tiles around it: the membrane between others is held by their pins.
-// So one back-solve a component of the wrench does for all tiles of a colour.
+// A tile's wrench depends on the tiles around it, as pins fix the membrane between others. One
+// back-solve a component of the wrench therefore serves all tiles of a colour.
 SparseRows FrictionObjective::jacobian(const Iterate& place, const DesignForces& forces) const {
   const TriangleMesh& mesh = place.geometry().tiles.mesh;
   const int count = static_cast<int>(mesh.F.rows());

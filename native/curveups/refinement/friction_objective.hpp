@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Friction that balance asks for, as a least-squares objective. Of all forces (n, t) at the contact
+// Friction needed for balance, as a least-squares objective. Among all forces (n, t) at the contact
 // points that balance the loads b, those with the least tangential part have
 //   Phi = min sum 1/2 |t|^2 + e/2 n^2 + 1/2 [floor - n]+^2  subject to  A f + b = 0,  e small.
 // Where Phi is zero but for e, normal forces alone hold the tiles where they are: the target is
@@ -22,7 +22,8 @@ class FrictionObjective {
   double value() const { return value_; }  // Phi, in squares of the unit
   // Root mean square of the tangential forces, in the unit.
   double tangential() const;
-  // For steps of all tiles' unknowns from `place`; what moves its loads: forces. Refers to this.
+  // Linearises for steps of all tiles' unknowns from `place`, whose loads follow `forces`. The
+  // result refers to this.
   StepObjective linearise(const Iterate& place, const DesignForces& forces) const;
 
  private:
@@ -31,7 +32,7 @@ class FrictionObjective {
 
   BalanceSystem system_;
   double unit_, value_ = 0;
-  Eigen::VectorXd right_;  // b, and what floors that are active add
+  Eigen::VectorXd right_;  // b and the terms of active floors
   Points3 force_;          // per point in its basis, N
 };
 

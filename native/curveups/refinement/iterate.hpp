@@ -8,20 +8,17 @@
 
 namespace curveups {
 
-// Tiles for vertices where they are, and the layout's constraints on them.
+// Tiles on a mesh, and the layout's constraints on them. The model refers to the geometry.
 struct Shape {
   DesignGeometry geometry;
-  LayoutModel model;  // of that geometry
+  LayoutModel model;
 
-  // caps: upper bounds of insets besides those of the folds; an inset keeps a little room.
-  Shape(const TriangleMesh& mesh, const Edges& cuts, const Parameters& parameters,
-        const Array6& caps);
+  Shape(const TriangleMesh& mesh, const Edges& cuts, const Parameters& parameters)
+      : geometry(make_geometry(mesh, cuts, parameters)),
+        model(make_layout_model(geometry, parameters)) {}
   Shape(const Shape&) = delete;
   Shape& operator=(const Shape&) = delete;
 };
-
-// The least room an inset keeps where it is capped, mm.
-inline constexpr double least_capped_range = 0.005;
 
 // Copies share the shape.
 struct Iterate {
@@ -33,8 +30,11 @@ struct Iterate {
   const Points3& vertices() const { return geometry().tiles.mesh.V; }
   FlatPoses poses() const { return poses_of(model(), state); }
   Array6 insets() const { return insets_of(state); }
-  // Insets beyond their bounds onto them.
-  void keep_pin_bounds();
+  // Moves insets beyond their bounds onto them.
+  void keep_pin_bounds() {
+    const PinBounds& bounds = geometry().pin_bounds;
+    state.rightCols<6>() = state.rightCols<6>().cwiseMax(bounds.lower).cwiseMin(bounds.upper);
+  }
 };
 
 }  // namespace curveups

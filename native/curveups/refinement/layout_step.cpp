@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <memory>
 
 #include "curveups/core/tolerances.hpp"
@@ -26,15 +25,10 @@ std::vector<int> with_neighbours(const LayoutModel& model, std::vector<char> cho
   return tiles;
 }
 
-// Where a row of the step problem comes from.
-struct RowSource {
-  const char* what;
-  std::array<int, 2> tiles;
-};
+// Lever of angles, by which these are lengths like the other unknowns.
+double angle_lever(const LayoutModel& model) { return model.L / std::sqrt(3.0); }
 
 }  // namespace
-
-double angle_lever(const LayoutModel& model) { return model.L / std::sqrt(3.0); }
 
 std::vector<int> tiles_that_matter(const LayoutModel& model, const std::vector<ForceRow>& rows,
                                    double share) {
@@ -68,7 +62,7 @@ class ScaledObjective : public QuadraticMap {
   SparseRows J_, J_T_;
 };
 
-// The least-step problem of some tiles, nine unknowns each in mm, and of vertices behind them.
+// Least-step problem of some tiles, nine unknowns each in mm, and of vertices behind them.
 class StepProblem {
  public:
   StepProblem(const LayoutModel& model, const LayoutState& state,
@@ -113,7 +107,6 @@ class StepProblem {
   void add_bounds();
   void add_vertex_bounds();
   void add_forces();
-  std::vector<Obstacle> obstacles(const LeastStep& least) const;
 
   const LayoutModel& model_;
   const LayoutState& state_;
@@ -121,14 +114,13 @@ class StepProblem {
   const std::vector<int>& tiles_;
   const MovingVertices* vertices_;
   StepWeights weights_;
-  std::vector<int> slot_;                     // per tile: its place among those that move, or -1
+  std::vector<int> slot_;                     // number of each tile among those that move, or -1
   int own_, count_;                           // unknowns of tiles, and with vertices
   Eigen::Matrix<double, 1, per_tile> scale_;  // unknowns per unit of the step
   Eigen::VectorXd vertex_scale_;
   LeastStepProblem problem_;
   std::unique_ptr<ScaledObjective> objective_;
-  std::vector<double> values_;  // of the sparse rows, and where they come from
-  std::vector<RowSource> sources_;
+  std::vector<double> values_;  // per sparse row
 };
 
 // False where the step can't bring the constraint to its limit.
@@ -138,7 +130,7 @@ bool StepProblem::add_constraint_row(const LayoutTerm& constraint, int element,
   if (!moves(ends[0]) && !moves(ends[1])) return false;
   LayoutTerm::Value value;
   constraint.at(element, state_, true, value);
-  double most = vertices_ ? 6 * weights_.trust_radius : 0;  // by which this step can lower it
+  double most = vertices_ ? 6 * weights_.trust_radius : 0;  // largest decrease in this step
   for (int end = 0; end < 2; ++end) {
     if (!moves(ends[end])) continue;
     most +=
@@ -155,7 +147,6 @@ bool StepProblem::add_constraint_row(const LayoutTerm& constraint, int element,
     }
   }
   values_.push_back(value.value(0));
-  sources_.push_back({constraint.name().data(), ends});
   return true;
 }
 
@@ -225,50 +216,19 @@ void StepProblem::add_forces() {
   }
 }
 
-// The strongest first, at most 8.
-std::vector<Obstacle> StepProblem::obstacles(const LeastStep& least) const {
-  std::map<std::pair<std::vector<int>, std::string>, double> strength;
-  for (std::size_t r = 0; r < sources_.size(); ++r) {
-    std::vector<int> ends = {sources_[r].tiles[0]};
-    if (sources_[r].tiles[1] >= 0) ends.push_back(sources_[r].tiles[1]);
-    std::sort(ends.begin(), ends.end());
-    strength[{ends, sources_[r].what}] += least.sparse_multiplier(static_cast<Eigen::Index>(r));
-  }
-  const double radius = weights_.trust_radius;
-  for (std::size_t k = 0; k < tiles_.size(); ++k) {
-    for (int t = 0; t < 6; ++t) {
-      const Eigen::Index z = static_cast<Eigen::Index>(k) * per_tile + 3 + t;
-      // Only where the inset itself, not the trust region, is the limit.
-      const double held = (problem_.lower(z) > -radius ? least.lower_multiplier(z) : 0.0) +
-                          (problem_.upper(z) < radius ? least.upper_multiplier(z) : 0.0);
-      strength[{{tiles_[k]}, "inset at its limit"}] += held;
-    }
-  }
-  std::vector<Obstacle> out;
-  for (const auto& [key, multiplier] : strength) {
-    if (multiplier > 1e-3) out.push_back({key.second, key.first, multiplier});
-  }
-  std::stable_sort(out.begin(), out.end(), [](const Obstacle& a, const Obstacle& b) {
-    return a.multiplier > b.multiplier;
-  });
-  if (out.size() > 8) out.resize(8);
-  return out;
-}
-
 LayoutStep StepProblem::solve() const {
-  const LeastStep least = solve_least_step(problem_);
+  const Eigen::VectorXd z = solve_least_step(problem_).z;
   LayoutStep out;
   out.step = LayoutState::Zero(state_.rows(), per_tile);
   for (std::size_t k = 0; k < tiles_.size(); ++k) {
-    out.step.row(tiles_[k]) = least.z.segment<per_tile>(static_cast<Eigen::Index>(k) * per_tile)
+    out.step.row(tiles_[k]) = z.segment<per_tile>(static_cast<Eigen::Index>(k) * per_tile)
                                   .transpose()
                                   .cwiseProduct(scale_);
   }
   out.vertex_step.resize(vertex_scale_.size(), 3);
   for (int v = 0; v < vertex_scale_.size(); ++v) {
-    out.vertex_step.row(v) = vertex_scale_(v) * least.z.segment<3>(own_ + 3 * v).transpose();
+    out.vertex_step.row(v) = vertex_scale_(v) * z.segment<3>(own_ + 3 * v).transpose();
   }
-  out.obstacles = obstacles(least);
   return out;
 }
 
@@ -306,7 +266,7 @@ bool restore_constraints(LayoutModel& model, LayoutState& state, int max_steps) 
       continue;
     }
     if (step == max_steps) return false;
-    // Room to give way: two rings around what is violated.
+    // Two rings around the violated constraints move, too.
     for (int ring = 0; ring < 2; ++ring) {
       for (int i : with_neighbours(model, chosen)) chosen[i] = 1;
     }

@@ -13,34 +13,34 @@ constexpr double largest_move_of_L = 1.0 / 30;
 // Steps after which sides that still miss A_pin_min are given up.
 constexpr int patience = 3;
 
-// The target moved as little as lets sides reach A_pin_min. Sides out of reach leave `asked`:
-// nothing moves for them.
+// Moves the target as little as lets sides reach A_pin_min. Sides out of reach leave `lifted`: no
+// vertex moves for them.
 TriangleMesh lift(const ClearanceProgram& program, const TriangleMesh& target, double L,
-                  PinSides& asked, const Progress& progress) {
-  const PinSides small = asked;
-  const std::vector<int> vertices = vertices_around(asked, target);
+                  PinSides& lifted, const Progress& progress) {
+  const PinSides small = lifted;
+  const std::vector<int> vertices = vertices_around(lifted, target);
   const MoveLimits limits{L / 40, largest_move_of_L * L};
   TriangleMesh mesh = target;
   DesignGeometry here = program.geometry(mesh);
-  for (int round = 1; !asked.empty(); ++round) {
+  for (int round = 1; !lifted.empty(); ++round) {
     if (!keep_going(progress, "making room for pins", -1)) throw Cancelled();
     const bool moved =
-        program.step(program.rows(here, small, asked, vertices), vertices, limits, mesh);
+        program.step(program.rows(here, small, lifted, vertices), vertices, limits, mesh);
     here = program.geometry(mesh);
     if (!here.shaped) {  // a tile lost its back face
-      asked.clear();
+      lifted.clear();
       break;
     }
-    PinSides reached = asked;
+    PinSides reached = lifted;
     bool spoiled = false;
     for (const SmallPin& pin : here.pin_bounds.small) {
       reached.erase({pin.tile, pin.side});
       spoiled = spoiled || !small.count({pin.tile, pin.side});
     }
     const bool last = !moved || round % patience == 0;
-    if (reached.size() == asked.size() && (last || !spoiled)) return mesh;
+    if (reached.size() == lifted.size() && (last || !spoiled)) return mesh;
     if (!last) continue;
-    asked = std::move(reached);  // once more, without what moved for the others
+    lifted = std::move(reached);  // anew, without the moves for the others
     mesh = target;
     here = program.geometry(mesh);
   }
@@ -56,16 +56,16 @@ PinSmoothing smooth_for_pins(const TriangleMesh& mesh, const Edges& cuts,
   PinSmoothing out;
   out.mesh = mesh;
   out.remaining = given.pin_bounds.small;
-  PinSides asked = sides_of(out.remaining);
-  if (asked.empty()) return out;
-  const TriangleMesh moved = lift(program, mesh, parameters.L, asked, progress);
-  const DesignGeometry there = program.geometry(moved);
-  if (asked.empty() || there.pin_bounds.small.size() >= out.remaining.size() ||
-      there.truncation.unresolved.size() > given.truncation.unresolved.size()) {
+  PinSides lifted = sides_of(out.remaining);
+  if (lifted.empty()) return out;
+  const TriangleMesh moved = lift(program, mesh, parameters.L, lifted, progress);
+  const DesignGeometry after = program.geometry(moved);
+  if (lifted.empty() || after.pin_bounds.small.size() >= out.remaining.size() ||
+      after.truncation.unresolved.size() > given.truncation.unresolved.size()) {
     return out;
   }
-  const PinSides small = sides_of(there.pin_bounds.small);
-  for (const SmallPin& pin : there.pin_bounds.small) {
+  const PinSides small = sides_of(after.pin_bounds.small);
+  for (const SmallPin& pin : after.pin_bounds.small) {
     // Sides out of reach must stay above the floor.
     const auto before =
         std::find_if(out.remaining.begin(), out.remaining.end(),
@@ -78,7 +78,7 @@ PinSmoothing smooth_for_pins(const TriangleMesh& mesh, const Edges& cuts,
   }
   out.mesh = moved;
   out.largest_move = (moved.V - mesh.V).rowwise().norm().maxCoeff();
-  out.remaining = there.pin_bounds.small;
+  out.remaining = after.pin_bounds.small;
   return out;
 }
 

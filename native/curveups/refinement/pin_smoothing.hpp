@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Pin sides that no layout can give A_pin_min, because the folds around their tile leave too little
-// of its face, become feasible by moving vertices of the actuated surface a little: the least
-// movement in the sense of Eq. 4, sum_j A_j |x_j - c_j|^2. Before any layout, as folds alone
-// decide.
+// Smoothing for pin sides that no layout can give A_pin_min because the folds around their tile
+// leave too little of its face. The least movement of vertices in the sense of Eq. 4, sum_j A_j
+// |x_j - c_j|^2, makes them feasible. It comes before any layout, as folds alone decide.
 #pragma once
 
 #include <vector>
@@ -13,8 +12,8 @@
 namespace curveups {
 
 struct PinSmoothing {
-  TriangleMesh mesh;              // moved; the given one, bit for bit, where nothing was to be done
-  double largest_move = 0;        // of a vertex, mm
+  TriangleMesh mesh;              // the given one, bit for bit, where there was nothing to do
+  double largest_move = 0;        // mm, of a vertex
   std::vector<SmallPin> reached;  // sides below A_pin_min that now reach it, with their area before
   std::vector<SmallPin> remaining;
 };

@@ -2,8 +2,6 @@
 #include "curveups/refinement/repair.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -11,10 +9,8 @@
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/tolerances.hpp"
-#include "curveups/refinement/explanation.hpp"
 #include "curveups/refinement/force_rows.hpp"
 #include "curveups/refinement/friction_objective.hpp"
-#include "curveups/refinement/pin_caps.hpp"
 
 namespace curveups {
 namespace {
@@ -23,31 +19,15 @@ namespace {
 constexpr double first_trust_radius = 0.2;
 // Vertices stay within this times L of their places in the target, by coordinate.
 constexpr double largest_displacement_of_L = 0.1;
-// What moving a vertex costs against moving a tile as far.
+// Cost of moving a vertex over that of moving a tile as far.
 constexpr double vertex_cost = 100;
 
 // Steps that lower friction: mm that an unknown moves at most; weight of the friction (in squares
-// of the mean normal force) against the squares of moves, 1 / mm2; how many; they end where
-// tangential forces are this small against the mean normal force, or fall by less than a fifth.
+// of the mean normal force) against the squares of moves, 1 / mm2; tangential force over the mean
+// normal force, and the ratio of two in a row, that end the steps.
 constexpr double shaping_radius = 0.5, friction_weight = 400, least_tangential = 0.005,
                  slow_shaping = 0.8;
 constexpr int most_shaping_steps = 8;
-
-// The deepest of either side.
-std::vector<Finding> cuts_among(const std::vector<Touch>& touches) {
-  std::vector<Finding> out;
-  for (const Side side : {Side::front, Side::back}) {
-    std::vector<MembraneClearance> there;
-    for (const Touch& touch : touches) {
-      if (touch.side == side) there.push_back({touch.clearance, touch.tile});
-    }
-    const MembraneClearance least = least_clearance(there, safe_clearance);
-    if (!is_clear(least.distance)) {
-      out.push_back(cut_by_membrane(side, least.tile, -least.distance));
-    }
-  }
-  return out;
-}
 
 class Repair {
  public:
@@ -56,49 +36,40 @@ class Repair {
   RepairResult run();
 
  private:
-  // On a fresh mesh; points of the judgement, and contacts that hold its floor down.
+  // Place judged on a fresh mesh.
   struct Judged {
     Iterate place;
     Judgement judgement;
     std::vector<ContactPoint> points;
-    std::vector<std::array<int, 2>> critical;
-    std::vector<Finding> cuts;
+    std::vector<std::array<int, 2>> critical;  // contacts that bound the floor
+    std::vector<Finding> cuts;                 // deepest cut of either membrane
   };
-
-  std::shared_ptr<Shape> make_shape(const TriangleMesh& mesh, const LayoutModel* found) const;
 
   Design design_here() const;
   void restore_start(RepairResult& result);
-  Judgement judge_fresh(RepairResult& result);
+  Judged judge_fresh(RepairResult& result);
   void search(RepairResult& result);
   void lower_friction(RepairResult& result);
   void shape(RepairResult& result);
-  bool reached(const Judgement& now) const;
   StepWeights step_weights() const;
-
-  bool draw_pins_out(const Judgement& now);
   bool improve(RepairResult& result, Judgement& now);
   bool take_step(RepairResult& result, Judgement& now, bool with_vertices);
   bool move_to(const LayoutStep& step, const MovingVertices* moving, const Iterate& from);
-  bool settle(int max_steps);
-  void tell(const Judgement& now) const;
+  void report(const Judgement& now) const;
 
   Progress progress_;
   RepairCallback callback_;
   int max_steps_;
   Design design_;        // as given
-  SolvedHandle solved_;  // of it, or null
-  SolvedHandle fresh_;   // of the place judged last, where that is valid
+  SolvedHandle solved_;  // solution of the design given, or null
+  SolvedHandle fresh_;   // solution of the place judged last, where that is valid
   const Parameters& parameters_;
   VertexPlaces target_;
-  Array6 caps_;           // upper bounds of insets beside membranes that were too low
-  Iterate given_, here_;  // of the design given, and now
+  Iterate given_, here_;  // the design given, and the present one
   TrackedForces tracked_;
   std::optional<Judged> best_;
-  std::vector<Touch> touches_;
   double trust_radius_ = 0;
   int first_weak_ = 0;
-  LayoutStep last_step_;
 };
 
 Repair::Repair(const Design& design, const Progress& progress, const RepairCallback& callback,
@@ -111,9 +82,8 @@ Repair::Repair(const Design& design, const Progress& progress, const RepairCallb
       parameters_(design_.parameters),
       target_{design.target ? design.target->V : design.mesh.V,
               Eigen::VectorXd::Zero(design.mesh.V.rows())},
-      caps_(Array6::Constant(design.mesh.F.rows(), 6, std::numeric_limits<double>::infinity())),
       tracked_(design_.parameters, progress) {
-  here_.shape = make_shape(design.mesh, nullptr);
+  here_.shape = std::make_shared<Shape>(design.mesh, design.cuts, parameters_);
   const TileMesh& tiles = here_.geometry().tiles;
   const int count = tiles.tile_count();
   if (target_.place.rows() != design.mesh.V.rows()) {
@@ -127,15 +97,7 @@ Repair::Repair(const Design& design, const Progress& progress, const RepairCallb
   }
 }
 
-// found: a model whose collisions are known; or null.
-std::shared_ptr<Shape> Repair::make_shape(const TriangleMesh& mesh,
-                                          const LayoutModel* found) const {
-  auto shape = std::make_shared<Shape>(mesh, design_.cuts, parameters_, caps_);
-  if (found) shape->model.gaps = found->gaps;
-  return shape;
-}
-
-// The given design at the place where this stands, bit for bit where that has not moved.
+// The given design at the present place, bit for bit where that has not moved.
 Design Repair::design_here() const {
   if (here_.vertices() == given_.vertices() && here_.state == given_.state) return design_;
   Design out = design_;
@@ -148,26 +110,39 @@ Design Repair::design_here() const {
   return out;
 }
 
-// Meshes anew: the verdict, and the correction of the moving mesh from here on.
-Judgement Repair::judge_fresh(RepairResult& result) {
+// Judges the present place on a fresh mesh, from which the moving mesh starts anew.
+Repair::Judged Repair::judge_fresh(RepairResult& result) {
   if (!keep_going(progress_, "repair: fresh membranes")) throw Cancelled();
   const bool given = here_.vertices() == given_.vertices() && here_.state == given_.state;
   fresh_ = given && solved_ ? solved_
                             : std::make_shared<const SolvedDesign>(
                                   solve_design(here_.geometry(), design_here(), progress_));
-  Judgement now = tracked_.judge_fresh(here_, *fresh_);
-  touches_ = find_touches(here_.geometry(), *fresh_);
-  for (const Touch& touch : touches_) now.depth = std::max(now.depth, -touch.clearance);
-  if (now.valid()) {
+  Judged out{here_,
+             tracked_.judge_fresh(here_, *fresh_),
+             contact_corners(here_.geometry(), parameters_),
+             {},
+             {}};
+  for (const Side side : {Side::front, Side::back}) {
+    const MembraneClearance least = least_clearance(
+        patch_clearances(here_.geometry(), fresh_->membranes[static_cast<int>(side)],
+                         parameters_.H_pin),
+        safe_clearance);
+    out.judgement.depth = std::max(out.judgement.depth, -least.distance);
+    if (!is_clear(least.distance)) {
+      out.cuts.push_back(cut_by_membrane(side, least.tile, -least.distance));
+    }
+  }
+  if (out.judgement.valid()) {
     result.verification = verify_solved(here_.geometry(), fresh_, progress_);
   } else {
-    tracked_.follow(here_, *fresh_, now);
+    tracked_.follow(here_, *fresh_, out.judgement);
+    out.critical = tracked_.critical_pairs();
     fresh_.reset();
   }
-  return now;
+  return out;
 }
 
-// A spoiled design is put onto its constraints first.
+// Puts a spoiled design onto its constraints.
 void Repair::restore_start(RepairResult& result) {
   const LayoutState given = here_.state;
   here_.keep_pin_bounds();
@@ -203,15 +178,7 @@ bool succeeds(const Work& work) {
   return false;
 }
 
-// What stands here back onto the constraints, forces following.
-bool Repair::settle(int max_steps) {
-  here_.keep_pin_bounds();
-  if (!restore_constraints(here_.shape->model, here_.state, max_steps)) return false;
-  tracked_.move(here_);
-  return true;
-}
-
-// Takes the step. False where that fails.
+// Takes the step and restores the constraints; forces follow. False where that fails.
 bool Repair::move_to(const LayoutStep& step, const MovingVertices* moving, const Iterate& from) {
   here_ = from;
   return succeeds([&] {
@@ -220,18 +187,22 @@ bool Repair::move_to(const LayoutStep& step, const MovingVertices* moving, const
       for (int v = 0; v < moving->count(); ++v) {
         mesh.V.row(moving->vertex[v]) += step.vertex_step.row(v);
       }
-      here_.shape = make_shape(mesh, &from.model());
+      here_.shape = std::make_shared<Shape>(mesh, design_.cuts, parameters_);
+      here_.shape->model.gaps = from.model().gaps;  // collisions known so far
       if (here_.geometry().truncation.unresolved.size() >
           from.geometry().truncation.unresolved.size()) {
         return false;
       }
     }
     here_.state += step.step;
-    return settle(8);
+    here_.keep_pin_bounds();
+    if (!restore_constraints(here_.shape->model, here_.state, 8)) return false;
+    tracked_.move(here_);
+    return true;
   });
 }
 
-// One accepted step, or false where none lifts the weak forces any more.
+// Takes a step that lifts the weak forces; false where none does any more.
 bool Repair::take_step(RepairResult& result, Judgement& now, bool with_vertices) {
   const Iterate from = here_;
   const UnilateralResult floor = tracked_.floor();
@@ -246,16 +217,13 @@ bool Repair::take_step(RepairResult& result, Judgement& now, bool with_vertices)
   std::sort(tiles.begin(), tiles.end());
   tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
   for (; trust_radius_ > 1e-3; trust_radius_ *= 0.5) {
-    last_step_ = least_layout_step(from.model(), from.state, rows, tiles, moving, step_weights());
-    if (!move_to(last_step_, moving, from)) continue;
+    const LayoutStep step =
+        least_layout_step(from.model(), from.state, rows, tiles, moving, step_weights());
+    if (!move_to(step, moving, from)) continue;
     const Judgement next = tracked_.judge();
     if (!(next.missing < now.missing * (1 - 1e-3))) continue;
-    LayoutState move = here_.state - from.state;
-    move.col(2) *= angle_lever(here_.model());
-    double largest = move.cwiseAbs().maxCoeff();
-    if (moving) largest = std::max(largest, last_step_.vertex_step.cwiseAbs().maxCoeff());
     now = next;
-    result.steps.push_back({now.weak, now.least, now.floor, largest, moving != nullptr, false});
+    result.steps.push_back({now.weak, now.least, now.floor, moving != nullptr, false});
     trust_radius_ = std::min(2 * trust_radius_, first_trust_radius);
     return true;
   }
@@ -264,36 +232,12 @@ bool Repair::take_step(RepairResult& result, Judgement& now, bool with_vertices)
   return false;
 }
 
-// Draws pins out where membranes cut into bodies or all but touch them; where forces do, only where
-// they cut. False where no pin can, or the layout has no room for it.
-bool Repair::draw_pins_out(const Judgement& now) {
-  const Iterate from = here_;
-  const Array6 caps = caps_;
-  std::vector<Touch> touches = touches_;
-  if (now.forces_do()) {
-    touches.erase(std::remove_if(touches.begin(), touches.end(),
-                                 [](const Touch& touch) { return is_clear(touch.clearance); }),
-                  touches.end());
-  }
-  if (cap_insets(touches, here_, caps_)) {
-    const bool settled = succeeds([&] {
-      here_.shape = make_shape(from.geometry().tiles.mesh, &from.model());
-      return settle(20);
-    });
-    if (settled) return true;
-    here_ = from;
-    tracked_.move_back(here_, tracked_.floor());
-  }
-  caps_ = caps;
-  return false;
-}
-
-// Near enough to the goals for a fresh mesh to judge.
-bool Repair::reached(const Judgement& now) const {
+// True where forces are near enough to their goals for a fresh mesh.
+bool reached(const Judgement& now) {
   return now.least >= force_goal - 0.1 && !(now.floor < floor_goal - 0.05);
 }
 
-// Steps until the goals are reached or nothing helps. Returns whether there was one.
+// Steps until the goals are reached or nothing helps; false where no step did.
 bool Repair::improve(RepairResult& result, Judgement& now) {
   bool moved = false, slow = false;
   trust_radius_ = first_trust_radius;
@@ -301,9 +245,9 @@ bool Repair::improve(RepairResult& result, Judgement& now) {
     const double before = now.missing;
     if (take_step(result, now, slow)) {
       moved = true;
-      // Vertices join in where poses and pins alone get on slowly.
+      // Vertices move, too, where poses and pins alone make slow progress.
       slow = now.missing > 0.8 * before;
-      tell(now);
+      report(now);
     } else if (slow) {
       break;
     } else {
@@ -314,7 +258,7 @@ bool Repair::improve(RepairResult& result, Judgement& now) {
   return moved;
 }
 
-void Repair::tell(const Judgement& now) const {
+void Repair::report(const Judgement& now) const {
   const std::string what = "repair: " + std::to_string(now.weak) + " weak points";
   const double fraction = first_weak_ > 0 ? 1 - static_cast<double>(now.weak) / first_weak_ : 1;
   if (!keep_going(progress_, what, std::max(0.0, fraction))) throw Cancelled();
@@ -324,32 +268,23 @@ void Repair::tell(const Judgement& now) const {
   if (!callback_(T, here_.insets(), now.weak, violation)) throw Cancelled();
 }
 
-// Steps and fresh meshes in turn, until a place is valid or nothing helps any more.
+// Alternates steps and fresh meshes until a place is valid or nothing helps any more.
 void Repair::search(RepairResult& result) {
   restore_start(result);
   while (true) {
-    Judgement now = judge_fresh(result);
+    const Judged judged = judge_fresh(result);
+    Judgement now = judged.judgement;
     if (!best_) first_weak_ = now.weak;
-    result.steps.push_back({now.weak, now.least, now.floor, 0, false, true});
-    if (!best_ || now.better_than(best_->judgement)) {
-      best_ = Judged{here_, now, contact_corners(here_.geometry(), parameters_),
-                     tracked_.critical_pairs(), cuts_among(touches_)};
-    }
-    tell(now);
-    if (now.valid()) return;
-    const bool drawn = static_cast<int>(result.steps.size()) <= max_steps_ && draw_pins_out(now);
-    // Steps beyond what forces need do not aim at membranes.
-    if (now.forces_do() && !drawn) return;
-    if (drawn) {
-      now = tracked_.judge();
-      result.steps.push_back({now.weak, now.least, now.floor, 0, false, false});
-    }
-    if (!improve(result, now) && !drawn) return;
+    result.steps.push_back({now.weak, now.least, now.floor, false, true});
+    if (!best_ || now.better_than(best_->judgement)) best_ = judged;
+    report(now);
+    // Steps lift forces; they do not aim at membranes.
+    if (now.forces_do() || !improve(result, now)) return;
   }
 }
 
-// Gauss-Newton steps of all poses and insets that lower the friction that balance asks for, with
-// the constraints of the layout and weak forces kept, for as long as they get on.
+// Takes Gauss-Newton steps of all poses and insets that lower the friction needed for balance,
+// under the constraints of the layout and weak forces, as long as they make progress.
 void Repair::lower_friction(RepairResult& result) {
   Judgement now = best_->judgement;
   tracked_.follow(here_, *fresh_, now);
@@ -387,17 +322,14 @@ void Repair::lower_friction(RepairResult& result) {
       return;
     }
     now = tracked_.judge();
-    LayoutState move = here_.state - from.state;
-    move.col(2) *= angle_lever(here_.model());
-    result.steps.push_back(
-        {now.weak, now.least, now.floor, move.cwiseAbs().maxCoeff(), false, false});
+    result.steps.push_back({now.weak, now.least, now.floor, false, false});
     const bool slow = halved == 0 && next->tangential() > slow_shaping * objective->tangential();
     objective = std::move(next);
     if (slow) return;
   }
 }
 
-// Goes on from a valid place, judged last, which stays the best where no better one is valid.
+// Lowers friction from a valid place, judged last, which stays the best where no other is valid.
 void Repair::shape(RepairResult& result) {
   const Judged valid = *best_;
   const std::optional<VerificationReport> verification = result.verification;
@@ -435,8 +367,7 @@ RepairResult Repair::run() {
     result.solve.status = SolveStatus::converged;
   }
   if (result.solve.status == SolveStatus::unfinished) {
-    result.blocked = explain_weak_contacts(here_.geometry().tiles, best_->points, best_->judgement,
-                                           best_->critical, last_step_.obstacles);
+    result.blocked = weak_contacts(best_->points, best_->judgement, best_->critical);
   }
   if (best_) result.cuts = best_->cuts;
   result.design = design_here();

@@ -16,7 +16,7 @@ constexpr int most_steps = 60;  // with a boundary that stays, and with one that
 constexpr int patience = 8;
 constexpr double largest_step_of_L = 1.0 / 14;  // as far as folds are nearly linear in moves
 
-// How far a surface is from one that tiles can be: less is better, first of what is no design.
+// Distance of a surface from one that tiles can be, first by tiles that can't be made.
 struct Shortfall {
   std::size_t impossible;  // tiles without a back face, pairs that no plane parts
   double clearance;        // missing, mm
@@ -35,7 +35,7 @@ Shortfall shortfall(const ClearanceProgram& program, const DesignGeometry& here)
   return out;
 }
 
-// The vertices that may move for these sides: three rings of tiles around them, but for fixed ones.
+// Vertices that may move for these sides: of three rings of tiles around them, but for fixed ones.
 std::vector<int> free_vertices(const PinSides& sides, const TriangleMesh& mesh,
                                const std::vector<char>& fixed) {
   std::vector<char> near(mesh.V.rows(), 0);
@@ -53,7 +53,7 @@ std::vector<int> free_vertices(const PinSides& sides, const TriangleMesh& mesh,
   return out;
 }
 
-// Corners of faces that would turn over or lose most of their area go back to where they were.
+// Moves corners of faces that would turn over or lose most of their area back.
 void keep_faces(const TriangleMesh& before, TriangleMesh& after) {
   for (int round = 0; round < 8; ++round) {
     bool kept = true;
@@ -68,7 +68,7 @@ void keep_faces(const TriangleMesh& before, TriangleMesh& after) {
   after = before;
 }
 
-// The way to less and less that is missing; the best surface on it stands in `best`.
+// Descent to less and less shortfall; `best` has the best surface so far.
 struct TargetSmoothing {
   const TriangleMesh& given;
   const ClearanceProgram& program;
@@ -78,31 +78,32 @@ struct TargetSmoothing {
   Shortfall least;
   SmoothedTarget best;
 
-  // Of the work: of the sides that have room now, or of the steps where nothing gets it.
+  // Share of the work done: sides that have room now, or steps where no side gets it.
   double share() const {
     const std::size_t left = std::min(lacked.size(), best.remaining.size());
     return std::max(static_cast<double>(lacked.size() - left) / static_cast<double>(lacked.size()),
                     static_cast<double>(best.steps) / (2 * most_steps));
   }
 
-  // From the given surface until nothing is missing or no step helps; fixed: vertices that stay.
+  // Goes from the given surface until nothing is missing or no step helps; fixed: vertices that
+  // stay.
   void improve(const std::vector<char>& fixed) {
-    PinSides asked = lacked;  // grows with what comes to be short on the way
+    PinSides lifted = lacked;  // grows with sides that become short
     TriangleMesh moved = given;
     DesignGeometry here = program.geometry(moved);
     Shortfall reached = shortfall(program, here);
     for (int step = 1, since = 0; step <= most_steps && since < patience; ++step, ++since) {
       if (!keep_going(progress, "smoothing the target", share())) throw Cancelled();
-      const std::vector<int> vertices = free_vertices(asked, given, fixed);
+      const std::vector<int> vertices = free_vertices(lifted, given, fixed);
       if (vertices.empty()) return;
       const TriangleMesh before = moved;
       const bool moves =
-          program.step(program.rows(here, asked, asked, vertices), vertices, limits, moved);
+          program.step(program.rows(here, lifted, lifted, vertices), vertices, limits, moved);
       keep_faces(before, moved);
       here = program.geometry(moved);
       std::vector<SmallPin> lacking = program.lacking(here);
       const bool done = lacking.empty();
-      for (const PinSide& side : sides_of(lacking)) asked.insert(side);
+      for (const PinSide& side : sides_of(lacking)) lifted.insert(side);
       const Shortfall now = shortfall(program, here);
       ++best.steps;
       if (now < reached) {

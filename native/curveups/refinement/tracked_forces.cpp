@@ -1,25 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/refinement/tracked_forces.hpp"
 
-#include <algorithm>
-
-#include "curveups/physics/verdict.hpp"
-
 namespace curveups {
-
-std::vector<Touch> find_touches(const DesignGeometry& geometry, const SolvedDesign& solved) {
-  std::vector<Touch> touches;
-  for (Side side : {Side::front, Side::back}) {
-    const MembraneSolution& membrane = solved.membranes[static_cast<int>(side)];
-    for (const MembraneClearance& clearance :
-         patch_clearances(geometry, membrane, solved.design.parameters.H_pin)) {
-      if (clearance.distance < safe_clearance) {
-        touches.push_back({clearance.tile, side, clearance.distance});
-      }
-    }
-  }
-  return touches;
-}
 
 TrackedForces::TrackedForces(const Parameters& parameters, const Progress& progress)
     : parameters_(parameters), progress_(progress), f_min_ratio_(parameters.f_min_ratio) {}
@@ -68,7 +50,7 @@ Judgement TrackedForces::judge() {
   solve_active_floor();
   const double floor = active_ ? floor_.largest_floor + floor_correction_ : no_floor;
   Eigen::VectorXd normal = forces_->contact_forces().force.col(0);
-  // Where a contact point came or went with the vertices the next fresh mesh has to tell.
+  // The correction waits for a fresh mesh where a contact point came or went with the vertices.
   if (normal.size() == correction_.size()) normal += correction_;
   return curveups::judge(normal, floor, f_min_ratio_);
 }

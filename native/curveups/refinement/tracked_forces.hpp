@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The contact forces of a design on its way through a repair: from a mesh that follows the tiles,
-// corrected by what a fresh one, extrapolated as in verification, gave last.
+// Contact forces of a design on its way through a repair, from a mesh that follows the tiles. They
+// are corrected by their difference from those on the last fresh mesh, extrapolated as in
+// verification: without that, Turtle ends invalid.
 #pragma once
 
 #include <memory>
@@ -12,41 +13,30 @@
 
 namespace curveups {
 
-// A tile that a membrane cuts into or all but touches.
-struct Touch {
-  int tile;
-  Side side;
-  double clearance;  // mm, negative where it cuts in
-};
-
-std::vector<Touch> find_touches(const DesignGeometry& geometry, const SolvedDesign& solved);
-
 class TrackedForces {
  public:
   TrackedForces(const Parameters& parameters, const Progress& progress);
 
-  // The verdict on a place. The largest floor is a part of it where no point is weak, and from then
-  // on where it is what fails. Throws InfeasibleDesign where the membranes don't press the tiles
-  // together.
+  // Judges a place on a fresh mesh. The largest floor is computed where no point is weak, and once
+  // it has failed. Throws InfeasibleDesign where the membranes don't press the tiles together.
   Judgement judge_fresh(const Iterate& place, const SolvedDesign& fresh);
-  // Follows from here on. judged: what judge_fresh said of it.
+  // Follows the tiles from here on. judged: by judge_fresh.
   void follow(const Iterate& place, const SolvedDesign& fresh, const Judgement& judged);
 
-  // On the moving mesh. Throws what DesignForces::move throws; then what is held is of no use until
-  // the next successful move.
+  // Moves the mesh. Throws what DesignForces::move throws; then the forces are invalid until the
+  // next successful move.
   void move(const Iterate& place);
+  // Judges the place of the mesh.
   Judgement judge();
-  // Back to a place that was judged, with its floor.
+  // Moves back to a place that was judged, with its floor.
   void move_back(const Iterate& place, const UnilateralResult& floor);
 
   const DesignForces& forces() const { return *forces_; }
   const std::vector<ContactPoint>& points() const { return forces_->system().points(); }
-  // f_min over the mean normal force: as asked, or the mesh's error once that is known.
-  double f_min_ratio() const { return f_min_ratio_; }
   bool floor_is_active() const { return active_; }
-  // The unilateral problem of the last judgement; only where active.
+  // Unilateral problem of the last judgement; only where active.
   const UnilateralResult& floor() const { return floor_; }
-  // Tiles of the contacts that hold the floor of the last judgement down, by falling weight.
+  // Tiles of the contacts that bound the floor of the last judgement, by falling weight.
   std::vector<std::array<int, 2>> critical_pairs() const;
 
  private:
@@ -54,12 +44,12 @@ class TrackedForces {
 
   Parameters parameters_;
   Progress progress_;
-  double f_min_ratio_;
+  double f_min_ratio_;  // f_min over the mean force: as asked, or the mesh's error once known
   std::unique_ptr<DesignForces> forces_;
-  // Difference of the fresh mesh from the moving one: normal forces and floor, N.
+  // Difference of the fresh mesh from the moving one, N: normal forces and floor.
   Eigen::VectorXd correction_;
   double floor_correction_ = 0;
-  bool active_ = false;  // whether the floor is a part of judgements
+  bool active_ = false;  // judgements include the floor
   UnilateralResult floor_;
 };
 

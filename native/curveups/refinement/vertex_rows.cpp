@@ -19,7 +19,7 @@ std::vector<VertexEntry> rows_by_vertex(const LayoutModel& model, const LayoutSt
       }
     }
   }
-  std::vector<std::vector<VertexEntry>> found(vertices.count());
+  std::vector<std::vector<VertexEntry>> entries(vertices.count());
   parallel_ranges(vertices.count(), [&](int begin, int end) {
     LayoutModel varied = model;
     const LayoutTerms functions = make_constraints(varied);
@@ -50,12 +50,12 @@ std::vector<VertexEntry> rows_by_vertex(const LayoutModel& model, const LayoutSt
       for (int k : patch.changed) varied.tiles[patch.tiles[k]] = model.tiles[patch.tiles[k]];
       for (std::size_t r = 0; r < touched.size(); ++r) {
         const Vec3 derivative = by_vertex.row(static_cast<Eigen::Index>(r));
-        if (derivative != Vec3::Zero()) found[v].push_back({touched[r], v, derivative});
+        if (derivative != Vec3::Zero()) entries[v].push_back({touched[r], v, derivative});
       }
     }
   });
   std::vector<VertexEntry> out;
-  for (const auto& list : found) out.insert(out.end(), list.begin(), list.end());
+  for (const auto& list : entries) out.insert(out.end(), list.begin(), list.end());
   return out;
 }
 

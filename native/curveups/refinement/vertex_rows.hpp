@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Vertices of the actuated surface as unknowns of a repair step, and what they do to the layout's
-// constraints: tiles change their shape about their flat centroid and angle, which are held.
+// Vertices of the actuated surface as unknowns of a repair step, and the derivatives of the
+// layout's constraints by them: tiles change their shape about their flat centroid and angle, which
+// are held.
 #pragma once
 
 #include <vector>
@@ -11,9 +12,9 @@
 namespace curveups {
 
 struct MovingVertices {
-  std::vector<int> vertex;           // of the mesh
-  std::vector<VertexPatch> patches;  // one each
-  Points3 moved;                     // where each is, from its place in the target, mm
+  std::vector<int> vertex;           // numbers in the mesh
+  std::vector<VertexPatch> patches;  // per vertex
+  Points3 moved;                     // mm, from the place in the target
   Eigen::VectorXd weight;            // A_j of Eq. 4, mm2
 
   int count() const { return static_cast<int>(vertex.size()); }
@@ -25,18 +26,18 @@ struct ConstraintRow {
 };
 
 struct VertexEntry {
-  int row;     // of the rows given
-  int vertex;  // of the moving vertices
+  int row;     // number among the rows given
+  int vertex;  // number among the moving vertices
   Vec3 derivative;
 };
 
-// In the order of the vertices, then of the rows. Bounds of insets, keep-outs and what small pin
-// sides must have are taken as they are: those are renewed with the geometry after the step.
+// Entries in the order of the vertices, then of the rows. Bounds of insets, keep-outs and the least
+// areas of small pin sides are constant here: the geometry renews them after the step.
 std::vector<VertexEntry> rows_by_vertex(const LayoutModel& model, const LayoutState& state,
                                         const std::vector<ConstraintRow>& rows,
                                         const MovingVertices& vertices);
 
-// How a tile's front centroid, in its own frame, moves with its corner t (2 x 3).
+// Derivative of a tile's front centroid, in its own frame, by its corner t (2 x 3).
 Eigen::Matrix<double, 2, 3> centroid_by_corner(const TileMesh& tiles, int tile, int t);
 
 }  // namespace curveups

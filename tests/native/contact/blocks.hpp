@@ -61,8 +61,6 @@ struct Scene {
     return static_cast<int>(bodies.size()) - 1;
   }
   void load(int body, const Vec3& force) { loads.push_back({body, Vec3::Zero(), force}); }
-  // With the loads turned about y by `angle`: a slope is a floor under turned gravity, and so is
-  // everything on it.
   std::unique_ptr<ContactWorld> world(double friction) const {
     auto out = std::make_unique<ContactWorld>(bodies, poses, options);
     out->add(std::make_unique<PointLoads>(loads));

@@ -77,22 +77,6 @@ TEST(Drag, HasExactDerivativesAwayFromWhereItBegan) {
   }
 }
 
-TEST(Drag, OfNeighboursNeitherMovesNorTurnsThePiece) {
-  const Poses from = some_poses();
-  const Poses at = moved(turned(from, 1), lever * Motions::Random(4, 6), lever);
-  Motions gradient = Motions::Zero(4, 6);
-  some_drag(from, 0).derivatives(at, 5, gradient, nullptr);
-  Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
-  for (int i = 0; i < 4; ++i) {
-    const Vec3 f = gradient.row(i).head<3>(), m = lever * gradient.row(i).tail<3>().transpose();
-    force += f;
-    torque += m + at[i].t.cross(f);
-  }
-  EXPECT_GT(gradient.norm(), 1);
-  EXPECT_LT(force.norm(), 1e-12 * gradient.norm());
-  EXPECT_LT(torque.norm(), 1e-10 * gradient.norm());
-}
-
 TEST(Drag, DoesNotResistWhatMovesAsOne) {
   const Poses from = some_poses(), far = turned(from, 1.2);
   const Drag drag = some_drag(from, 0);
@@ -122,14 +106,17 @@ TEST(Drag, BodiesOnAPathGoFurtherTogetherThanOneBesideTheOther) {
     scene.load(1, {together ? -1.0 : 1.0, 0, 0});
     auto world = scene.world(0.5);
     world->begin_path(pace);
-    // Later, they are beside one another no more.
-    double furthest = world->step().motion;
+    double furthest = 0;  // in a step; apart they are neighbours in the first one alone
+    for (int k = 0; k < (together ? 13 : 1); ++k) {
+      const Poses before = world->poses();
+      world->step();
+      furthest = std::max(furthest, largest_motion(motions_between(before, world->poses(), lever)));
+    }
     if (!together) {
       EXPECT_GT(furthest, 0.2 * pace.step_limit);
       EXPECT_LT(furthest, pace.step_limit);
       continue;
     }
-    for (int k = 0; k < 12; ++k) furthest = std::max(furthest, world->step().motion);
     EXPECT_GT(furthest, pace.together * pace.step_limit);
     EXPECT_LE(furthest, 2 * pace.together * pace.step_limit * (1 + 1e-9));
   }

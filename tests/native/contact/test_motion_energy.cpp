@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/Eigenvalues>
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <typeinfo>
 
 #include "contact/blocks.hpp"
-#include "curveups/contact/reduced_membrane.hpp"
+#include "curveups/contact/tile_world.hpp"
 #include "support/designs.hpp"
 
 namespace curveups::test {
@@ -131,32 +129,6 @@ TEST(MotionEnergy, ProjectedSecondDerivativesNeverLeadUpwards) {
   EXPECT_GT(lowest[1], -1e-12);
 }
 
-// Points that stick and have not moved yet exert no force, whose turning nothing leaves out.
-TEST(MotionEnergy, ProjectedSecondDerivativesAreExactWhereNoForceActs) {
-  Pressed pressed(Eigen::Matrix3d::Identity());
-  pressed.poses[1].t.z() += 0.1;
-  pressed.energy.stick(pressed.poses);
-  for (TouchingPair& pair : pressed.energy.pairs) {
-    for (Touch& touch : pair.touches) touch.cap = std::numeric_limits<double>::infinity();
-  }
-  pressed.energy.remember(pressed.poses);
-  for (TouchingPair& pair : pressed.energy.pairs) {
-    for (Touch& touch : pair.touches) touch.stretch.setZero();
-  }
-  ASSERT_EQ(pressed.energy.value(pressed.poses), 0);
-  const Eigen::MatrixXd matrix = second_derivatives(pressed.energy, pressed.poses, true);
-  for (int round = 0; round < 6; ++round) {
-    const Motions d = Motions::Random(2, 6);
-    const Eigen::VectorXd flat = Eigen::Map<const Eigen::VectorXd>(d.data(), d.size());
-    const double g = 1e-4, product = flat.dot(matrix * flat),
-                 second = (pressed.energy.value(straight(pressed.poses, g * d, 3)) +
-                           pressed.energy.value(straight(pressed.poses, -g * d, 3))) /
-                          (g * g);
-    ASSERT_GT(product, 1);
-    EXPECT_NEAR(product, second, 1e-3 * product);
-  }
-}
-
 TEST(MotionEnergy, PositiveTurnCurvatureLacksTheNegativeEigenvalues) {
   const double lever = 3;
   const Vec3 arm(1, -2, 0.5), across = arm.unitOrthogonal();
@@ -171,54 +143,6 @@ TEST(MotionEnergy, PositiveTurnCurvatureLacksTheNegativeEigenvalues) {
               1e-12 * force.norm() + 1e-300)
         << force.transpose();
   }
-}
-
-// Against differences of the gradient, with caps that follow the normal forces and with caps that
-// stay.
-TEST(MotionEnergy, CapsThatFollowNormalForcesHaveExactDerivatives) {
-  Pressed pressed(Eigen::Matrix3d::Identity());
-  const double lever = 3, h = 1e-6;
-  auto gradient_at = [&](const Poses& poses) {
-    Motions gradient = Motions::Zero(poses.size(), 6);
-    pressed.energy.derivatives(poses, lever, gradient, nullptr);
-    return gradient;
-  };
-  pressed.energy.lag_friction(pressed.poses);
-  for (int round = 0; round < 4; ++round) {
-    const Motions d = Motions::Random(2, 6);
-    const Poses ahead = moved(pressed.poses, h * d, lever);
-    const Motions coupling = pressed.energy.cap_derivatives(pressed.poses, lever, d);
-    ASSERT_GT(coupling.norm(), 0);
-    const Motions fixed = gradient_at(ahead);
-    pressed.energy.predict_friction(pressed.poses, lever, h * d);
-    const Motions predicted = gradient_at(ahead);
-    pressed.energy.lag_friction(ahead);
-    const Motions followed = gradient_at(ahead);
-    pressed.energy.lag_friction(pressed.poses);
-    EXPECT_LT(((followed - fixed) / h - coupling).norm(), 1e-4 * coupling.norm());
-    EXPECT_LT((predicted - followed).norm(), 1e-4 * (followed - fixed).norm());
-  }
-}
-
-TEST(MotionEnergy, ContactDoesNotSeeAMotionOfAll) {
-  const Pressed here(Eigen::Matrix3d::Identity());
-  const Pressed there(Eigen::AngleAxisd(2, Vec3(1, -2, 3).normalized()).toRotationMatrix());
-  EXPECT_GT(here.energy.value(here.poses), 0);
-  EXPECT_NEAR(here.energy.value(here.poses), there.energy.value(there.poses), 1e-9);
-}
-
-TEST(MotionEnergy, ReportedForcesAreThoseOfTheEnergy) {
-  const Pressed pressed(Eigen::AngleAxisd(0.7, Vec3::UnitX()).toRotationMatrix());
-  Motions gradient = Motions::Zero(2, 6);
-  pressed.energy.derivatives(pressed.poses, 3, gradient, nullptr);
-  Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
-  for (const TouchForce& touch : pressed.energy.forces(pressed.poses)) {
-    const Vec3 f = touch.push * touch.normal + touch.friction;
-    force += f;
-    torque += (touch.position - pressed.poses[1].t).cross(f);
-  }
-  EXPECT_LT((force + gradient.row(1).head<3>().transpose()).norm(), 1e-9 * force.norm());
-  EXPECT_LT((torque + 3 * gradient.row(1).tail<3>().transpose()).norm(), 1e-9 * torque.norm());
 }
 
 TEST(MotionEnergy, MembranesHaveExactDerivativesAndBalance) {
@@ -239,13 +163,9 @@ TEST(MotionEnergy, MembranesHaveExactDerivativesAndBalance) {
         design.parameters.tau, material, tiles.tile_count());
     Poses poses(tiles.tile_count());
     for (int i = 0; i < tiles.tile_count(); ++i) poses[i].t = centres.row(i).transpose();
-    for (const std::vector<int>& polygon : membrane.polygons()) {
-      poses.emplace_back();
-      for (int c : polygon) {
-        poses.back().t += corners.row(c).transpose() / static_cast<double>(polygon.size());
-      }
-    }
-    ASSERT_GT(membrane.polygons().size(), 0u);
+    const Poses nodes = membrane_nodes(tiles, side, corners);
+    ASSERT_GT(nodes.size(), 0u);
+    poses.insert(poses.end(), nodes.begin(), nodes.end());
     const Motions away = 0.1 * Motions::Random(poses.size(), 6);
     poses = moved(poses, away, 3);
     expect_derivatives(membrane, poses);

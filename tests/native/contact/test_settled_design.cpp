@@ -5,9 +5,7 @@
 #include <tuple>
 
 #include "curveups/contact/settled_design.hpp"
-#include "curveups/contact/settling.hpp"
 #include "curveups/core/parallel.hpp"
-#include "curveups/geometry/surface_deviation.hpp"
 #include "support/designs.hpp"
 
 namespace curveups::test {
@@ -44,49 +42,6 @@ TEST(TileWorld, StartsWithTheWrenchesOfTheElements) {
   EXPECT_NEAR(built.world->contacts().mean_push(built.world->poses()), 0, 1e-6);
 }
 
-TEST(TileWorld, MembranesAndTheirCorrectionsExertNoForceOnTheWhole) {
-  const Sample sample(dome());
-  TileWorld built = make_tile_world(sample.bodies, sample.solved);
-  Poses poses = built.world->poses();
-  Motions motions = 0.05 * Motions::Random(poses.size(), 6);
-  built.world->set_poses(moved(poses, motions, 3));
-  const Motions forces = built.world->given_forces();
-  Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
-  double mean = 0;
-  for (Eigen::Index i = 0; i < forces.rows(); ++i) {
-    const Vec3 f = forces.row(i).head<3>(), m = forces.row(i).tail<3>();
-    force += f;
-    torque += m + built.world->poses()[i].t.cross(f);
-    mean += f.norm() / static_cast<double>(forces.rows());
-  }
-  EXPECT_LT(force.norm(), 1e-9 * mean);
-  EXPECT_LT(torque.norm(), 1e-9 * mean * 100);
-}
-
-TEST(SettledDesign, ContactsCarryWhatMembranesPull) {
-  for (const char* bumps : {"bumps", "dimples"}) {
-    const Sample sample(dome(bumps));
-    TileWorld built = make_tile_world(sample.bodies, sample.solved);
-    built.world->set_friction(0.8);
-    ASSERT_TRUE(built.world->settle(100).at_rest) << bumps;
-    Motions left = built.world->given_forces();
-    const double mean = left.topRows(built.tile_count).leftCols<3>().rowwise().norm().mean();
-    const double mean_push = built.world->contacts().mean_push(built.world->poses());
-    ASSERT_GT(mean_push, 0);
-    for (const TouchForce& touch : built.world->forces()) {
-      EXPECT_LE(touch.friction.norm(), 0.8 * touch.push + 1e-5 * mean_push);
-      const Vec3 f = touch.push * touch.normal + touch.friction;
-      for (int s = 0; s < 2; ++s) {
-        const Vec3 own = s == 1 ? f : Vec3(-f);
-        const Vec3 arm = touch.position - built.world->poses()[touch.body[s]].t;
-        left.row(touch.body[s]).head<3>() += own.transpose();
-        left.row(touch.body[s]).tail<3>() += arm.cross(own).transpose();
-      }
-    }
-    EXPECT_LT(left.rowwise().norm().maxCoeff(), 1e-4 * mean) << bumps;
-  }
-}
-
 TEST(SettledDesign, IsTheSameWithAnyNumberOfThreads) {
   Design design = dome();
   design.parameters.window = true;
@@ -99,11 +54,10 @@ TEST(SettledDesign, IsTheSameWithAnyNumberOfThreads) {
   for (const SettledDesign& other : found) {
     EXPECT_EQ(other.corners, found[0].corners);
     EXPECT_EQ(other.contact_force, found[0].contact_force);
-    ASSERT_EQ(other.holding_friction.has_value(), found[0].holding_friction.has_value());
+    EXPECT_EQ(other.holding_friction, found[0].holding_friction);
     ASSERT_EQ(other.window.size(), found[0].window.size());
     for (std::size_t k = 0; k < other.window.size(); ++k) {
       for (int e = 0; e < 2; ++e) {
-        EXPECT_EQ(other.window[k].end[e].value, found[0].window[k].end[e].value);
         EXPECT_EQ(other.window[k].end[e].failure, found[0].window[k].end[e].failure);
       }
     }
@@ -152,29 +106,6 @@ TEST(VirtualScan, FitsEachPieceByItself) {
   EXPECT_LT(scan_distances(fitted, ClosestPoints(mesh)).maxCoeff(), 1e-9);
 }
 
-TEST(VirtualScan, FindsWhatLiesBetweenItsSamples) {
-  TriangleMesh flat{Points3(3, 3), Triangles(1, 3)}, roof{Points3(4, 3), Triangles(3, 3)};
-  flat.V << 0, 0, 0, 12, 0, 0, 0, 12, 0;
-  flat.F << 0, 1, 2;
-  roof.V << flat.V, 2, 2.5, 5;
-  roof.F << 0, 1, 3, 1, 2, 3, 2, 0, 3;
-  const ClosestPoints to_roof(roof);
-  const Eigen::VectorXd samples = scan_distances(flat, to_roof);
-  const VirtualScan scan = describe_scan(samples, flat, roof);
-  const int n = 400;
-  double densely = 0;
-  for (int i = 0; i <= n; ++i) {
-    for (int j = 0; i + j <= n; ++j) {
-      densely = std::max(densely, to_roof(Vec3(12.0 * i / n, 12.0 * j / n, 0)).distance);
-    }
-  }
-  EXPECT_GT(densely, samples.maxCoeff() + 0.1);
-  EXPECT_LE(scan.largest, densely + 1e-9);
-  const double mean_edge = (12 + 12 + 12 * std::sqrt(2.0)) / 3;
-  EXPECT_NEAR(scan.largest, densely, 2.0 / 3 * sample_step * mean_edge);
-  EXPECT_NEAR(scan.hausdorff, 5, 0.006);  // the roof's top, above the triangle
-}
-
 // Membranes by finite elements on both meshes, from scratch, with the pins where these tiles are.
 Wrenches by_elements(const Sample& sample, const SolvedDesign& solved, const TileWorld& built) {
   const int count = built.tile_count;
@@ -197,14 +128,14 @@ Wrenches by_elements(const Sample& sample, const SolvedDesign& solved, const Til
   return extrapolate<Wrenches>(fine, coarse);
 }
 
-TEST(Settling, FeelsTheFiniteElementsWhereItHasSettled) {
+TEST(SettledTiles, RestUnderTheForcesOfTheFiniteElements) {
   Sample sample(dome());
   double off[2];
   for (const bool elements : {false, true}) {
-    Settling settling(sample.bodies, sample.solved);
-    settling.settle(0.8, elements ? &sample.solved : nullptr);
-    ASSERT_TRUE(settling.at_rest());
-    const TileWorld& built = settling.tile_world();
+    TileWorld built = make_tile_world(sample.bodies, sample.solved);
+    const SettledTiles settled =
+        settle_tiles(built, sample.bodies, 0.8, elements ? &sample.solved : nullptr);
+    ASSERT_TRUE(settled.converged);
     const Wrenches wanted = by_elements(sample, sample.solved, built);
     const double mean = wanted.leftCols<3>().rowwise().norm().mean();
     off[elements] = (built.world->given_forces().topRows(built.tile_count) - wanted)
@@ -214,7 +145,7 @@ TEST(Settling, FeelsTheFiniteElementsWhereItHasSettled) {
                         .maxCoeff() /
                     mean;
     if (elements) {
-      EXPECT_LE(settling.element_change(), 1e-3);
+      EXPECT_LE(settled.element_change, 1e-3);
     }
   }
   EXPECT_LT(off[1], 2e-3);
@@ -235,14 +166,14 @@ TEST(TileWorld, PullsAsHardAsEitherMembraneIsStronger) {
 }
 
 // Known to go round in circles where friction's caps did not follow the normal forces at once.
-TEST(Settling, ComesToRestBetweenBareWalls) {
+TEST(SettledTiles, ComeToRestBetweenBareWalls) {
   for (const char* bumps : {"dimples", "none"}) {
     const Sample sample(dome(bumps));
     for (const double friction : {0.3, 0.8}) {
-      Settling settling(sample.bodies, sample.solved);
-      settling.settle(friction);
-      EXPECT_TRUE(settling.at_rest()) << bumps << friction;
-      EXPECT_LT(settling.iterations(), 300) << bumps << friction;
+      TileWorld built = make_tile_world(sample.bodies, sample.solved);
+      const SettledTiles settled = settle_tiles(built, sample.bodies, friction);
+      EXPECT_TRUE(settled.converged) << bumps << friction;
+      EXPECT_LT(settled.iterations, 300) << bumps << friction;
     }
   }
 }

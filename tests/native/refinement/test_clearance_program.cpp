@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "curveups/refinement/clearance_program.hpp"
 #include "support/meshes.hpp"
@@ -54,38 +53,6 @@ TEST(ClearanceProgram, NamesSidesThatLackRoomByTheirAreas) {
   thick.H_body = 30;
   const ClearanceProgram impossible(ridge.mesh, ridge.cuts, thick);
   EXPECT_FALSE(impossible.geometry(ridge.mesh).shaped);
-}
-
-TEST(ClearanceProgram, RowsAreDerivativesOfRoom) {
-  const Ridge ridge;
-  for (bool membranes : {false, true}) {
-    const ClearanceProgram program(ridge.mesh, ridge.cuts, ridge.parameters, membranes);
-    const DesignGeometry here = program.geometry(ridge.mesh);
-    const PinSides small = sides_of(program.lacking(here));
-    auto rows_at = [&](const TriangleMesh& mesh) {
-      return program.rows(program.geometry(mesh), small, small, ridge.vertices);
-    };
-    const auto rows = rows_at(ridge.mesh);
-    ASSERT_GE(rows.size(), small.size());
-    std::mt19937 generator(5);
-    std::uniform_real_distribution<double> uniform(-1, 1);
-    const Points3 direction =
-        Points3::NullaryExpr(ridge.mesh.V.rows(), 3, [&] { return uniform(generator); });
-    constexpr double step = 1e-5;
-    const auto ahead = rows_at({ridge.mesh.V + step * direction, ridge.mesh.F});
-    const auto behind = rows_at({ridge.mesh.V - step * direction, ridge.mesh.F});
-    ASSERT_EQ(ahead.size(), rows.size());
-    ASSERT_EQ(behind.size(), rows.size());
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-      double exact = 0, size = 0;
-      for (const auto& [vertex, derivative] : rows[r].by_vertex) {
-        const double part = derivative.dot(direction.row(ridge.vertices[vertex]).transpose());
-        exact += part;
-        size += std::abs(part);
-      }
-      EXPECT_NEAR((ahead[r].value - behind[r].value) / (2 * step), exact, 1e-4 * size) << r;
-    }
-  }
 }
 
 TEST(ClearanceProgram, AStepMakesRoomWithinItsLimits) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <random>
 
 #include "curveups/layout/layout.hpp"
@@ -20,8 +19,7 @@ struct Laid {
 Laid laid_out() {
   Laid out;
   const TriangleMesh mesh = test::dome(6);
-  const Array6 caps = Array6::Constant(mesh.F.rows(), 6, std::numeric_limits<double>::infinity());
-  out.place.shape = std::make_shared<Shape>(mesh, Edges(0, 2), out.parameters, caps);
+  out.place.shape = std::make_shared<Shape>(mesh, Edges(0, 2), out.parameters);
   const LayoutResult layout = solve_layout(out.place.geometry(), out.parameters, {});
   out.place.state = state_of(out.place.model(), layout.poses, layout.q);
   return out;
