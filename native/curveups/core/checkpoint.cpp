@@ -46,7 +46,7 @@ namespace {
 
 thread_local Watch* current = nullptr;
 
-// Asks where that is due and nobody else asks just now; fraction: where it is known anew.
+// Calls the sink if that is due and no other thread does. fraction: a new one, or null.
 void ask_now_and_then(const double* fraction) {
   Watch* watch = current;
   if (!watch) return;
@@ -63,9 +63,8 @@ void ask_now_and_then(const double* fraction) {
 }  // namespace
 
 ProgressScope::ProgressScope(Progress progress)
-    : watch_(std::make_unique<Watch>(std::move(progress))),
-      before_(std::exchange(current, watch_.get())) {}
-ProgressScope::~ProgressScope() { current = before_; }
+    : watch_(std::make_unique<Watch>(std::move(progress))), watched_(watch_.get()) {}
+ProgressScope::~ProgressScope() = default;
 
 Progress ProgressScope::sink() const {
   return [watch = watch_.get()](const std::string& what, double fraction) {
@@ -86,8 +85,5 @@ Watch* current_watch() { return current; }
 
 WatchedBy::WatchedBy(Watch* watch) : before_(std::exchange(current, watch)) {}
 WatchedBy::~WatchedBy() { current = before_; }
-
-Finishing::Finishing() : before_(std::exchange(current, nullptr)) {}
-Finishing::~Finishing() { current = before_; }
 
 }  // namespace curveups

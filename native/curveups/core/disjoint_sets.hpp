@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Numbers in sets that grow together (union-find).
+// Union-find.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace curveups {
 
-// Of the numbers from 0 to count - 1, each in a set of its own at first.
+// Sets of the numbers from 0 to count - 1, at first one each.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count) : parent_(count) {
@@ -19,7 +19,7 @@ class DisjointSets {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  // Makes one set of two; false where they are one already.
+  // Joins two sets; returns false if they are one already.
   bool unite(int a, int b) {
     a = find(a);
     b = find(b);

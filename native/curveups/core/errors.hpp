@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The exceptions that leave this library, each a Python exception of the same name. Not converging
-// is an outcome that results report; these are for input and topology that can't be.
+// Exceptions of this library, each a Python exception of the same name, for impossible input and
+// topology. Not converging is an outcome that results report.
 #pragma once
 
 #include <stdexcept>
@@ -10,8 +10,7 @@
 
 namespace curveups {
 
-// what() is one sentence that names the offending input; remedy() says what to do about it;
-// tiles() lists the tiles concerned (rows of F, from 0), empty where none are.
+// Message in one sentence that names the offending input, remedy, and tiles concerned (rows of F).
 class Error : public std::runtime_error {
  public:
   Error(const std::string& what, std::string remedy, std::vector<int> tiles = {})

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What speaks for or against a surface, a design or its bodies, as a value. Sentences are made of
-// it in one place, in any language: Workbench/curveups/base/sentences.py has one for every kind.
+// Reasons, warnings and information about a surface, a design or its bodies, as values.
+// Workbench/curveups/base/sentences.py has a sentence for every kind, in any language.
 #pragma once
 
 #include <algorithm>
@@ -14,15 +14,15 @@ namespace curveups {
 
 struct Finding {
   using Pairs = std::vector<std::array<int, 2>>;
-  // Numbers; words (of a body, "front", an error's text); rows of F or of V; pairs of rows of F;
-  // and what belongs into the same sentence.
+  // Number; words (name of a body, "front", an error's text); rows of F or V; pairs of rows of F;
+  // parts of the same sentence.
   using Figure =
       std::variant<int, double, std::string, std::vector<int>, Pairs, std::vector<Finding>>;
 
   std::string kind;
-  std::vector<int> tiles = {};                 // that it is about, ascending; none: all of them
-  std::map<std::string, Figure> figures = {};  // that its sentence names
-  bool is_error = false;                       // nothing can be made of a surface like this
+  std::vector<int> tiles = {};                 // rows of F concerned, ascending; empty: all
+  std::map<std::string, Figure> figures = {};  // figures of its sentence
+  bool is_error = false;                       // true: the surface can't become tiles
 
   bool operator==(const Finding& other) const {
     return kind == other.kind && tiles == other.tiles && figures == other.figures &&

@@ -50,7 +50,7 @@ std::atomic<int>& threads() {
   return count;
 }
 
-// Whether this thread works in a loop of ours, whose arena holds to the number of threads already.
+// Whether this thread works in one of these loops, whose arena limits the threads already.
 thread_local bool inside = false;
 
 class Inside {
@@ -63,8 +63,7 @@ class Inside {
   WatchedBy watched_;
 };
 
-// Of this thread, from one loop to the next: a new one for each loop costs many times what a small
-// loop does.
+// Arena of this thread, kept from loop to loop: making one costs many times a small loop.
 tbb::task_arena& own_arena() {
   thread_local std::optional<tbb::task_arena> arena;
   const int count = thread_count();
@@ -72,8 +71,8 @@ tbb::task_arena& own_arena() {
   return *arena;
 }
 
-// A thread that waits for its loop takes no other work than this loop's: nothing of what it holds
-// can be asked for again.
+// Isolated: a thread that waits for its loop takes no other loop's work, which might need a lock
+// that it holds.
 template <class Work>
 void in_arena(const Work& work) {
   if (inside) return tbb::this_task_arena::isolate(work);
@@ -88,7 +87,7 @@ void set_thread_count(int count) { threads() = allowed(std::clamp(count, 1, most
 
 void parallel_ranges(int count, const std::function<void(int, int)>& body) {
   if (count <= 0) return;
-  // Some ranges a thread even out what they cost; more would repeat what bodies set up.
+  // Eight ranges a thread balance their costs; more would repeat the bodies' setup.
   const int grain = std::max(1, count / (8 * thread_count()));
   if (thread_count() == 1 || count == 1) {
     for (int begin = 0; begin < count; begin += grain) {
@@ -120,7 +119,7 @@ void parallel_ranges(int count, const std::function<void(int, int)>& body) {
 
 void parallel_each(int count, const std::function<void(int)>& work) {
   std::atomic<int> next{0};
-  std::mutex mutex;  // of the two below
+  std::mutex mutex;  // guards `failed` and `error`
   int failed = count;
   std::exception_ptr error;
   parallel_ranges(std::min(count, thread_count()), [&](int, int) {
@@ -129,7 +128,7 @@ void parallel_each(int count, const std::function<void(int)>& work) {
         checkpoint_at(static_cast<double>(i) / count);
         work(i);
       } catch (...) {
-        next = count;  // those before it are done, or at work
+        next = count;
         const std::lock_guard<std::mutex> lock(mutex);
         if (i >= failed) continue;
         failed = i;
@@ -138,12 +137,6 @@ void parallel_each(int count, const std::function<void(int)>& work) {
     }
   });
   if (error) std::rethrow_exception(error);
-}
-
-void parallel_tasks(const std::vector<std::function<void()>>& tasks) {
-  parallel_ranges(static_cast<int>(tasks.size()), [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) tasks[i]();
-  });
 }
 
 int lane_count() { return thread_count() == 1 ? 1 : 4 * thread_count(); }
@@ -159,8 +152,8 @@ void parallel_gather(int count, const std::function<void(int, int, int)>& make,
     }
     return;
   }
-  // At most as many ranges as lanes are on their way, and they end in their order: a lane is free
-  // again before its next range begins.
+  // At most as many ranges as lanes are in flight, and they end in order: a lane is free before its
+  // next range begins.
   const int lanes = lane_count();
   auto lane_of = [&](int begin) { return begin / gathered_range % lanes; };
   int next = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Loops on oneTBB's threads, made once and shared with OpenCASCADE. Results never depend on the
-// number of threads: each index writes only what is its own, and sums are taken in the order of the
-// indices. Loops may be nested.
+// Loops on oneTBB's threads, which OpenCASCADE shares. Results never depend on the number of
+// threads: each index writes its own data, and sums are taken in the order of the indices. Loops
+// may be nested.
 #pragma once
 
 #include <algorithm>
@@ -10,21 +10,20 @@
 
 namespace curveups {
 
-// Threads for parallel loops; at least 1. Default: the machine's processors, or the environment
-// variable CURVEUPS_THREADS where it is a positive number below that.
+// Number of threads of parallel loops, at least 1. Default: the machine's processors, or the
+// environment variable CURVEUPS_THREADS where it is a positive number below that.
 int thread_count();
 // Not while a loop runs.
 void set_thread_count(int count);
 
-// The thread that asks works off fewer cheap terms than this: waking another thread takes longer,
-// and the system may have put that one aside.
+// Loops over fewer cheap terms run on the calling thread: waking another one takes longer.
 inline constexpr int serial_terms = 256;
 
-// Calls body(begin, end) on consecutive ranges that cover [0, count). An exception of a range is
-// rethrown once all have ended (the one of the lowest range).
+// Calls body(begin, end) on consecutive ranges that cover [0, count). Rethrows the exception of the
+// lowest range that failed, once all have ended.
 void parallel_ranges(int count, const std::function<void(int begin, int end)>& body);
 
-// The same by index: work(i).
+// Calls work(i) for each index.
 template <class Work>
 void parallel_for(int count, const Work& work) {
   parallel_ranges(count, [&](int begin, int end) {
@@ -32,23 +31,26 @@ void parallel_for(int count, const Work& work) {
   });
 }
 
-// work(i) for each index, taken in their order by whichever thread is free: for work that costs now
-// this and now a thousand times as much. Of several that fail, the first one's exception is thrown.
+// Calls work(i) for each index, taken in their order by whichever thread is free, for work of very
+// different costs, and reports the fraction. Rethrows the exception of the lowest index that
+// failed; no index is begun after a failure.
 void parallel_each(int count, const std::function<void(int i)>& work);
 
-// Runs all, at once where there are threads; exceptions as of ranges.
-void parallel_tasks(const std::vector<std::function<void()>>& tasks);
+// Runs all tasks, each on a thread that is free.
+inline void parallel_tasks(const std::vector<std::function<void()>>& tasks) {
+  parallel_for(static_cast<int>(tasks.size()), [&](int i) { tasks[i](); });
+}
 
-// A loop whose results are gathered one after another: `make` on consecutive ranges at once, `take`
-// on the same ranges in their order, one at a time, each after its `make`. lane: the same number in
-// [0, lane_count()) for both calls on a range, and no other range's in between: where make leaves
-// what take gathers. Ranges have at most gathered_range indices, whatever the number of threads.
+// Gathers results in order: calls `make` on consecutive ranges in parallel, and `take` on the same
+// ranges in their order, one at a time, each after its `make`. lane: a number in [0, lane_count())
+// that both calls on a range share and no other range has in between, for the data from make to
+// take. Ranges have at most gathered_range indices, whatever the number of threads.
 inline constexpr int gathered_range = 64;
 int lane_count();
 void parallel_gather(int count, const std::function<void(int begin, int end, int lane)>& make,
                      const std::function<void(int begin, int end, int lane)>& take);
 
-// The same by index: make(index, value) fills in a Value, take(index, value) gathers it.
+// Gathers by index: make(index, value) fills in a Value, take(index, value) gathers it.
 template <class Value, class Make, class Take>
 void parallel_gather(int count, const Make& make, const Take& take) {
   std::vector<std::vector<Value>> values(lane_count());
@@ -63,7 +65,7 @@ void parallel_gather(int count, const Make& make, const Take& take) {
       });
 }
 
-// The sum of term(0), term(1), ... in this order.
+// Sum of summand(0), summand(1), ... in this order.
 template <class Summand>
 double parallel_sum(int count, const Summand& summand) {
   double sum = 0;

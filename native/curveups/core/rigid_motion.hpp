@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Where a body is: the one pose type in space.
+// Pose of a body in space.
 #pragma once
 
 #include "curveups/core/types.hpp"
 
 namespace curveups {
 
-// From a body's own coordinates to the world. Columns of R are the images of the axes.
+// Map from a body's own coordinates to the world. Columns of R are the images of the axes.
 struct RigidMotion {
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
   Vec3 t = Vec3::Zero();
   Vec3 operator()(const Vec3& p) const { return R * p + t; }
-  // From the world to the body's own coordinates.
+  // Inverse map.
   Vec3 to_own(const Vec3& p) const { return R.transpose() * (p - t); }
 };
 

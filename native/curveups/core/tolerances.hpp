@@ -4,22 +4,21 @@
 
 namespace curveups::tolerance {
 
-// A hard constraint counts as met up to this: a thousandth of what any printer resolves, and far
-// above the rounding of coordinates of some hundred mm.
+// Violation up to which a hard constraint counts as met: a thousandth of any printer's resolution,
+// and far above the rounding of coordinates of some hundred mm.
 inline constexpr double constraint = 1e-6;
 
-// Corners nearer than this are one: OpenCASCADE's own tolerance is 1e-7, and slivers snapped only
-// there gave invalid solids in most tiles.
+// Distance below which corners are merged. OpenCASCADE's own 1e-7 left slivers that made most
+// solids invalid.
 inline constexpr double snap = 1e-5;
 
-// Interfaces shorter than this at the back have three contact points instead of four.
+// Length at the back below which interfaces have three contact points instead of four.
 inline constexpr double short_interface = 0.2;
 
-// Overlap of two solids that counts as none, mm3.
+// Largest overlap of two solids that counts as none, mm3.
 inline constexpr double overlap_volume = 1e-6;
 
-// Coordinates beyond this are refused, mm: a single-precision file resolves them to more than a
-// tile, and squares of distances are far from the end of the numbers still.
+// Largest coordinate, mm: a single-precision file resolves it to no less than a tile.
 inline constexpr double largest_coordinate = 1e8;
 
 }  // namespace curveups::tolerance

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Eigen aliases shared by all rooms. Arrays are row-major so that they are numpy's without a copy.
+// Eigen aliases shared by all rooms. Arrays are row-major, as numpy's.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/design/tile_mesh.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
 #include <utility>
 
 #include "curveups/core/errors.hpp"
-#include "curveups/core/text.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
 
 namespace curveups {
@@ -160,6 +160,14 @@ std::string tile_name(int tile) {
   return name;
 }
 
-std::string tile_names(const std::vector<int>& tiles) { return listed(tiles, 6, tile_name); }
+std::string tile_names(const std::vector<int>& tiles) {
+  constexpr std::size_t most = 6;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(most, tiles.size()); ++i) {
+    names += (i ? ", " : "") + tile_name(tiles[i]);
+  }
+  if (tiles.size() > most) names += " and " + std::to_string(tiles.size() - most) + " more";
+  return names;
+}
 
 }  // namespace curveups

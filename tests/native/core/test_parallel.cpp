@@ -32,16 +32,34 @@ TEST(Parallel, RangesCoverEveryIndexOnce) {
   set_thread_count(before);
 }
 
-TEST(Parallel, TheExceptionOfTheLowestRangeComesOut) {
+TEST(Parallel, TheExceptionOfTheLowestIndexComesOutAndNoMoreIsBegun) {
   const int before = thread_count();
-  set_thread_count(4);
-  try {
-    parallel_ranges(4, [](int begin, int) {
-      if (begin > 0) throw std::runtime_error(std::to_string(begin));
+  const auto fail_from = [](int first) {
+    return [first](int i) {
+      if (i >= first) throw std::runtime_error(std::to_string(i));
+    };
+  };
+  const auto expect = [](const char* message, const auto& loop) {
+    try {
+      loop();
+      ADD_FAILURE();
+    } catch (const std::runtime_error& error) {
+      EXPECT_STREQ(error.what(), message);
+    }
+  };
+  for (int threads : {1, 4}) {
+    set_thread_count(threads);
+    expect("1", [&] { parallel_for(4, fail_from(1)); });
+    std::atomic<int> begun{0};
+    expect("10", [&] {
+      parallel_each(10000, [&](int i) {
+        ++begun;
+        // The second one fails before the first one does.
+        if (i == 10) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        fail_from(10)(i);
+      });
     });
-    ADD_FAILURE();
-  } catch (const std::runtime_error& error) {
-    EXPECT_STREQ(error.what(), "1");
+    EXPECT_LT(begun, 10000);
   }
   set_thread_count(before);
 }
@@ -97,45 +115,6 @@ TEST(Parallel, EachIndexIsTakenOnceByWhoeverIsFree) {
     }
     ++done;
   });
-  set_thread_count(before);
-}
-
-TEST(Parallel, OfEachTheFirstExceptionComesOutAndNoMoreIsBegun) {
-  const int before = thread_count();
-  for (int threads : {1, 4}) {
-    set_thread_count(threads);
-    std::atomic<int> begun{0};
-    std::atomic<bool> failed{false};
-    try {
-      parallel_each(10000, [&](int i) {
-        ++begun;
-        // The second one fails before the first one does, and later ones do not run on meanwhile.
-        if (i == 10) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-        if (i == 10 || i == 11) {
-          failed = true;
-          throw std::runtime_error(std::to_string(i));
-        }
-        while (i > 11 && !failed) std::this_thread::yield();
-        if (i > 11) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      });
-      ADD_FAILURE();
-    } catch (const std::runtime_error& error) {
-      EXPECT_STREQ(error.what(), "10");
-    }
-    EXPECT_LT(begun, 10000);
-  }
-  set_thread_count(before);
-}
-
-TEST(Parallel, TasksAllRun) {
-  const int before = thread_count();
-  for (int threads : {1, 2, 4}) {
-    set_thread_count(threads);
-    std::vector<int> done(5, 0);
-    parallel_tasks({[&] { done[0] = 1; }, [&] { done[1] = 1; }, [&] { done[2] = 1; },
-                    [&] { done[3] = 1; }, [&] { done[4] = 1; }});
-    EXPECT_EQ(std::accumulate(done.begin(), done.end(), 0), 5);
-  }
   set_thread_count(before);
 }
 
