@@ -9,7 +9,6 @@
 #include "curveups/bodies/convex_distance.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
-#include "curveups/design/parameter_texts.hpp"
 #include "curveups/design/print_constants.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
 #include "curveups/physics/membrane_solution.hpp"

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "curveups/bodies/joint_holes.hpp"
-#include "curveups/design/parameter_texts.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
 #include "curveups/physics/membrane_domain.hpp"
 
