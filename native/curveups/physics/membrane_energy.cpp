@@ -145,7 +145,7 @@ Gradient32 MembraneEnergy::deformation(const Element& element, const Points3& x)
 }
 
 Density MembraneEnergy::density(const Gradient32& F, bool second) const {
-  return material_.model->evaluate(F, material_.constants, second);
+  return material_.model->evaluate(F, material_.regularization, second);
 }
 
 double MembraneEnergy::value(const Points3& x) const {

@@ -15,7 +15,7 @@ struct MembraneMaterial {
   double shear_modulus = 0.72;  // MPa
   double thickness = 0.5;       // at rest, mm
   const DensityModel* model = &density_model("tension-field");
-  DensityConstants constants;
+  double regularization = 1e-4;  // DensityModel::evaluate
 };
 
 // Per triangle, for pictures and verdicts.
