@@ -23,7 +23,7 @@ OPTIONAL = {
     "physics": {"triangles": COUNT, "free_vertices": COUNT, "newton_iterations": [COUNT, COUNT],
                 "newton_iterations_coarse": [COUNT, COUNT],
                 "newton_iterations_fine": [COUNT, COUNT], "converged": bool,
-                "residual": NUMBER, "wrinkled_fraction": NUMBER, "largest_stretch": NUMBER,
+                "residual": NUMBER, "wrinkled_fraction": NUMBER,
                 "force_balance": NUMBER, "torque_balance": NUMBER, "normal_force_error": NUMBER,
                 "membrane_clearance_mm": NUMBER},
     "contact_forces": {"unit": TEXT, "normal_mean": NUMBER, "normal_min": NUMBER, "f_min": NUMBER,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A design, how well it keeps its constraints, and the corners of its tiles.
 #include "curveups/bindings/arrays.hpp"
-#include "curveups/design/design_arrays.hpp"
 #include "curveups/design/design_file.hpp"
 #include "curveups/design/tile_shapes.hpp"
 #include "curveups/layout/diagnostics.hpp"

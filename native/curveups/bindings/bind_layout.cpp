@@ -74,7 +74,6 @@ void bind_layout(py::module_& module) {
       .def_readonly("edges", &CutSuggestion::edges)
       .def_readonly("length_mm", &CutSuggestion::length)
       .def_readonly("reasons", &CutSuggestion::reasons)
-      .def_readonly("opens", &CutSuggestion::opens)
       .def_readonly("before", &CutSuggestion::before)
       .def_readonly("after", &CutSuggestion::after);
   py::class_<CutSuggestions>(module, "CutSuggestions", "Cuts in the order of their making.")

@@ -29,15 +29,12 @@ py::dict physics_block(const PhysicsFigures& f) {
   out["converged"] = f.converged;
   out["residual"] = f.residual;
   out["wrinkled_fraction"] = f.wrinkled_fraction;
-  out["slack_fraction"] = f.slack_fraction;
-  out["largest_stretch"] = f.largest_stretch;
   out["stretch_99"] = f.stretch_99;
   out["force_balance"] = f.force_balance;
   out["torque_balance"] = f.torque_balance;
   out["normal_force_error"] = f.normal_force_error;
   out["largest_normal_force_error"] = f.largest_normal_force_error;
   out["least_force_error"] = f.least_force_error;
-  out["refined_tiles"] = f.refined_tiles;
   out["membrane_clearance_mm"] = f.clearance_mm;
   out["mean_tile_force"] = f.mean_tile_force;
   return out;
@@ -71,7 +68,7 @@ py::dict unilateral_block(const UnilateralFigures& f) {
   return out;
 }
 
-py::dict glue_block(const LargestGlueLoads& glue) {
+py::dict glue_block(const GlueFigures& glue) {
   py::dict out;
   auto where = [&](const char* name, const GlueLoad& load) {
     py::dict place;
@@ -80,7 +77,7 @@ py::dict glue_block(const LargestGlueLoads& glue) {
     out[name] = place;
   };
   out["shear_max_mpa"] = glue.shear.shear;
-  out["shear_limit_mpa"] = glue.shear.limit;
+  out["shear_limit_mpa"] = glue.limit;
   where("shear_at", glue.shear);
   out["peel_max_n_per_mm"] = glue.peel.peel;
   where("peel_at", glue.peel);

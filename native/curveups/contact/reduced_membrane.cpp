@@ -112,7 +112,7 @@ double ReducedMembrane::evaluate(const Element& element, const Poses& poses, dou
     const Vec3 e1 = x[j] - x[i], e2 = x[k] - x[i];
     Gradient32 F;
     F << a * e1 + c * e2, b * e1 + d * e2;
-    const Density density = material_.model->evaluate(F, material_.constants, second);
+    const Density density = material_.model->evaluate(F, material_.regularization, second);
     sum += weight * density.value;
     if (!out) continue;
     const auto g1 = density.gradient.head<3>(), g2 = density.gradient.tail<3>();

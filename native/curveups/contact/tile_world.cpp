@@ -10,7 +10,6 @@
 #include "curveups/bodies/convex_distance.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
-#include "curveups/design/parameter_texts.hpp"
 #include "curveups/design/print_constants.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
 #include "curveups/physics/membrane_solution.hpp"
@@ -34,14 +33,6 @@ std::vector<std::array<int, 3>> contacts_of_walls(const TileMesh& tiles) {
     for (int s = 0; s < 2; ++s) out[contact.tile[s]][contact.side[s]] = static_cast<int>(k);
   }
   return out;
-}
-
-// Wrenches of the finite elements on the tiles, extrapolated from both meshes.
-Wrenches pull_of(const MembraneSolution& elements, const Points3& centres) {
-  Wrenches fine = Wrenches::Zero(centres.rows(), 6), coarse = fine;
-  add_wrenches(elements.forces, elements.pin_corners, centres, fine);
-  add_wrenches(elements.coarse_forces, elements.pin_corners, centres, coarse);
-  return extrapolate<Wrenches>(fine, coarse);
 }
 
 // Wrenches of a reduced membrane on the tiles.
@@ -104,7 +95,7 @@ class Builder {
     for (int s = 0; s < 2; ++s) {
       out.pins[s] = own_corners(s);
       auto reduced = membrane(static_cast<Side>(s));
-      const Wrenches elements = pull_[s] * pull_of(solved_.membranes[s], centres_);
+      const Wrenches elements = pull_[s] * extrapolated_wrenches(solved_.membranes[s], centres_);
       auto corrections = std::make_unique<PairLoads>(
           shared_out(elements - pull_of(*reduced, poses_, count_), tiles, system));
       out.membranes[s] = reduced.get();
@@ -207,8 +198,7 @@ class Builder {
 
   std::vector<PointLoad> weights() const {
     std::vector<PointLoad> out;
-    const Wrenches weight =
-        curveups::weights(bodies_.geometry, bodies_.poses, bodies_.q, bodies_.parameters);
+    const Wrenches weight = curveups::weights(bodies_.geometry, bodies_.q, bodies_.parameters);
     for (int i = 0; i < count_; ++i) {
       const Vec3 force = weight.row(i).head<3>(), torque = weight.row(i).tail<3>();
       if (force.squaredNorm() > 0) {
@@ -285,7 +275,7 @@ double TileWorld::solve_elements(SolvedDesign& solved, double tolerance) {
   std::array<Wrenches, 2> missing;
   for (int s = 0; s < 2; ++s) {
     if (!converged[s]) throw no_equilibrium(static_cast<Side>(s));
-    const Wrenches pull = pull_of(solved.membranes[s], system.centres());
+    const Wrenches pull = extrapolated_wrenches(solved.membranes[s], system.centres());
     missing[s] = pull - pull_of(*membranes[s], poses, tile_count);
     Motions corrected = Motions::Zero(poses.size(), 6);
     corrections[s]->derivatives(poses, 1, corrected, nullptr);

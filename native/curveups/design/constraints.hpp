@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Measures how well a finished design keeps the hard constraints (Eqs. 6 to 8, global clearance).
-// Independent of the optimiser's own bookkeeping: it starts from the corners that are saved.
+// Violation of the hard constraints (Eqs. 6 to 8, global clearance) by a finished design, measured
+// on the saved corners and independent of the optimiser.
 #pragma once
 
 #include <array>
@@ -24,8 +24,8 @@ struct ConstraintReport {
 ConstraintReport check_constraints(const DesignGeometry& geometry, const FlatCorners& corners,
                                    const Array6& q, const Parameters& parameters);
 
-// Per contact what Eq. 7 bounds, mm: the least distance of the ends of one tile's edge from the
-// line of the other's, both ways, on both faces.
+// Per contact the gap that Eq. 7 bounds, mm: the least distance of the ends of one tile's edge from
+// the line of the other's, both ways, on both faces.
 Eigen::VectorXd contact_gaps(const TileMesh& tiles, const FlatPoses& poses);
 
 // A pair of tiles and the edge of `tile` whose normal separates it best from `other` on both faces.

@@ -10,9 +10,9 @@
 namespace curveups {
 namespace {
 
-// In the wall of `edge` of a tile, with u along the edge and w down the wall, the wall of the
-// neighbouring edge and every truncation plane pass through the end of the edge: they leave
-// u >= slope w there. The largest slope counts. `at_start`: the end where the tile's edge begins.
+// Largest slope of the planes at one end of a tile's edge: the wall of the neighbouring edge and
+// every truncation plane pass through the end and leave u >= slope w, u along the edge and w down
+// its wall. `at_start`: the end where the tile's edge begins.
 double slope_at(const TileMesh& tiles, const Truncation& truncation, int tile, int edge,
                 bool at_start) {
   const int corner = at_start ? edge : next3(edge);
@@ -37,6 +37,35 @@ double slope_at(const TileMesh& tiles, const Truncation& truncation, int tile, i
     if (plane.vertex == vertex) add(plane.plane.normal);
   }
   return slope;
+}
+
+// Contact points 2 and 3 at the ends of the polygon's deepest edge, and their count.
+void set_back_points(ContactPatch& patch) {
+  const Vec3 start = patch.point[0], along = (patch.point[1] - start).normalized();
+  auto depth = [&](const Vec3& p) {
+    const Vec3 d = p - start;
+    return (d - d.dot(along) * along).norm();
+  };
+  double deepest = 0;
+  for (const Vec3& p : patch.polygon) deepest = std::max(deepest, depth(p));
+  const Vec3 *first = nullptr, *last = nullptr;
+  for (const Vec3& p : patch.polygon) {
+    if (depth(p) < deepest - tolerance::snap) continue;
+    if (!first || (p - *first).dot(along) < 0) first = &p;
+    if (!last || (p - *last).dot(along) > 0) last = &p;
+  }
+  if (deepest < tolerance::short_interface) {
+    patch.point_count = 2;
+    patch.point[2] = patch.point[3] = 0.5 * (patch.point[0] + patch.point[1]);
+    patch.polygon = {patch.point[0], patch.point[1]};
+  } else if ((*last - *first).norm() >= tolerance::short_interface) {
+    patch.point_count = 4;
+    patch.point[2] = *last;
+    patch.point[3] = *first;
+  } else {
+    patch.point_count = 3;
+    patch.point[2] = patch.point[3] = 0.5 * (*first + *last);
+  }
 }
 
 }  // namespace
@@ -68,25 +97,16 @@ std::vector<ContactPatch> compute_contact_patches(const TileMesh& tiles,
     const double left = height * at_start, right = length - height * at_end;
     patch.point[0] = start;
     patch.point[1] = end;
-    if (right - left >= tolerance::short_interface) {
-      patch.point_count = 4;
-      patch.point[2] = point(right, height);
-      patch.point[3] = point(left, height);
-      patch.polygon = {patch.point[0], patch.point[1], patch.point[2], patch.point[3]};
-    } else if (right > left) {
-      patch.point_count = 3;
-      patch.point[2] = patch.point[3] = point(0.5 * (left + right), height);
-      patch.polygon = {start, end, point(right, height), point(left, height)};
-    } else {
-      // The two ends' rays meet above the back: a triangle, down to nothing where one lies in the
-      // edge itself.
-      const double depth = std::isfinite(at_start + at_end) ? length / (at_start + at_end) : 0.0;
-      patch.point_count = depth < tolerance::short_interface ? 2 : 3;
-      patch.point[2] = patch.point[3] =
-          patch.point_count == 2 ? Vec3(0.5 * (start + end)) : point(depth * at_start, depth);
-      patch.polygon = {start, end};
-      if (patch.point_count == 3) patch.polygon.push_back(patch.point[2]);
+    patch.polygon = {start, end};
+    if (right > left) {
+      patch.polygon.push_back(point(right, height));
+      patch.polygon.push_back(point(left, height));
+    } else if (std::isfinite(at_start + at_end)) {
+      // The two ends' rays meet above the back: a triangle.
+      const double depth = length / (at_start + at_end);
+      patch.polygon.push_back(point(depth * at_start, depth));
     }
+    set_back_points(patch);
     // Seen from tile[1] the outline runs the other way round.
     if (along.cross(down).dot(patch.normal) < 0)
       std::reverse(patch.polygon.begin(), patch.polygon.end());
@@ -111,31 +131,7 @@ void clip_patch(ContactPatch& patch, const Plane& plane) {
   }
   if (!cuts) return;
   patch.polygon = std::move(kept);
-  const Vec3 start = patch.point[0], along = (patch.point[1] - start).normalized();
-  auto depth = [&](const Vec3& p) {
-    const Vec3 d = p - start;
-    return (d - d.dot(along) * along).norm();
-  };
-  double deepest = 0;
-  for (const Vec3& p : patch.polygon) deepest = std::max(deepest, depth(p));
-  // The ends of what is left of the back edge.
-  const Vec3 *first = nullptr, *last = nullptr;
-  for (const Vec3& p : patch.polygon) {
-    if (depth(p) < deepest - tolerance::snap) continue;
-    if (!first || (p - *first).dot(along) < 0) first = &p;
-    if (!last || (p - *last).dot(along) > 0) last = &p;
-  }
-  if (deepest < tolerance::short_interface) {
-    patch.point_count = 2;
-    patch.point[2] = patch.point[3] = 0.5 * (patch.point[0] + patch.point[1]);
-  } else if ((*last - *first).norm() >= tolerance::short_interface) {
-    patch.point_count = 4;
-    patch.point[2] = *last;
-    patch.point[3] = *first;
-  } else {
-    patch.point_count = 3;
-    patch.point[2] = patch.point[3] = 0.5 * (*first + *last);
-  }
+  set_back_points(patch);
 }
 
 }  // namespace curveups

@@ -16,13 +16,13 @@ struct ContactPatch {
   int point_count;  // 4; 3 where the back segment is shorter than tolerance::short_interface (its
                     // midpoint is point 2); 2: nothing but the front edge touches, a hinge
   Vec3 normal;      // unit, from tile[0] to tile[1]; a compressive force on tile[1] points along it
-  std::vector<Vec3> polygon;  // what both walls have in common, counter-clockwise seen from tile[1]
+  std::vector<Vec3> polygon;  // common part of both walls, counter-clockwise seen from tile[1]
 };
 
 std::vector<ContactPatch> compute_contact_patches(const TileMesh& tiles,
                                                   const Truncation& truncation);
 
-// Cuts an interface by a plane of one of its tiles (world coordinates) that leaves the front edge
+// Clip an interface by a plane of one of its tiles (world coordinates) that leaves the front edge
 // alone; the contact points move to the new corners.
 void clip_patch(ContactPatch& patch, const Plane& plane);
 

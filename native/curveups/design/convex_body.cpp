@@ -74,8 +74,8 @@ bool clip(ConvexBody& body, const Plane& plane, int tag) {
   std::map<std::pair<int, int>, int> crossings;
   auto crossing = [&](int a, int b) {
     const auto key = std::minmax(a, b);
-    const auto found = crossings.find(key);
-    if (found != crossings.end()) return found->second;
+    const auto known = crossings.find(key);
+    if (known != crossings.end()) return known->second;
     const Vec3 p = body.points[key.first], q = body.points[key.second];
     const double dp = plane.distance(p), dq = plane.distance(q);
     body.points.push_back(p + (dp / (dp - dq)) * (q - p));
@@ -119,22 +119,17 @@ bool clip(ConvexBody& body, const Plane& plane, int tag) {
   return true;
 }
 
-double volume(const ConvexBody& body) {
-  double six = 0;
-  for (const BodyFace& face : body.faces) {
-    const Vec3& o = body.points[face.loop[0]];
-    for (std::size_t k = 1; k + 1 < face.loop.size(); ++k) {
-      six += (o - body.points[0])
-                 .dot((body.points[face.loop[k]] - body.points[0])
-                          .cross(body.points[face.loop[k + 1]] - body.points[0]));
-    }
-  }
-  return six / 6;
-}
+namespace {
 
-Vec3 centroid(const ConvexBody& body) {
-  Vec3 sum = Vec3::Zero();
+struct Moments {
+  double volume = 0;
+  Vec3 centroid = Vec3::Zero();
+};
+
+Moments moments(const ConvexBody& body) {
+  if (body.faces.empty()) return {};
   double six = 0;
+  Vec3 sum = Vec3::Zero();
   const Vec3 origin = body.points[0];
   for (const BodyFace& face : body.faces) {
     const Vec3 a = body.points[face.loop[0]] - origin;
@@ -145,7 +140,13 @@ Vec3 centroid(const ConvexBody& body) {
       sum += part * 0.25 * (a + b + c);
     }
   }
-  return origin + sum / six;
+  return {six / 6, origin + sum / six};
 }
+
+}  // namespace
+
+double volume(const ConvexBody& body) { return moments(body).volume; }
+
+Vec3 centroid(const ConvexBody& body) { return moments(body).centroid; }
 
 }  // namespace curveups

@@ -38,10 +38,9 @@ inline constexpr int front = 0, back = 1, wall = 2, cut = 5;
 ConvexBody make_frustum(const std::array<Vec2, 3>& top, double z_top,
                         const std::array<Vec2, 3>& bottom, double z_bottom);
 
-// Removes what lies beyond the plane. Corners within tolerance::snap of the plane are taken to lie
-// on it, so that no sliver arises; a plane that coincides with a face cuts nothing. Returns false
-// and leaves the body as it is where nothing is removed; a body that would vanish ends with no
-// faces.
+// Remove the part beyond the plane. Corners within tolerance::snap of the plane count as on it, so
+// that no sliver arises; a plane that coincides with a face cuts nothing. Returns false where
+// nothing is removed; a body that vanishes has no faces.
 bool clip(ConvexBody& body, const Plane& plane, int tag);
 
 double volume(const ConvexBody& body);  // mm3, exact for the polyhedron

@@ -7,7 +7,6 @@
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/design/flat_rim.hpp"
-#include "curveups/design/parameter_texts.hpp"
 #include "curveups/design/remote_overlaps.hpp"
 
 namespace curveups {
@@ -43,7 +42,7 @@ double flat_area(const DesignGeometry& geometry, const FlatCorners& corners) {
   const TileMesh& tiles = geometry.tiles;
   const Eigen::Map<const Points2> corner(corners.data(), 3 * corners.rows(), 2);
   double area = tiles.area.sum();
-  // Of a quadrilateral a, b, c, d, counter-clockwise; of a triangle where a is b.
+  // Quadrilateral a, b, c, d, counter-clockwise; a triangle where a is b.
   auto add = [&](int a, int b, int c, int d) {
     const Vec2 ac = corner.row(c) - corner.row(a), bd = corner.row(d) - corner.row(b);
     area += 0.5 * wedge(ac, bd);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/design/design_file.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <initializer_list>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "curveups/core/errors.hpp"
-#include "curveups/design/design_arrays.hpp"
+#include "curveups/core/tolerances.hpp"
 
 namespace curveups {
 namespace {
@@ -32,25 +33,28 @@ Json to_json(const ParameterValue& value) {
   return std::get<std::string>(value);
 }
 
-// Nested arrays of a matrix whose rows are blocks of `shape`, e.g. M x 6 as M x 2 x 3.
+// Nested arrays of a matrix whose rows are blocks, e.g. M x 6 as M x 2 x 3.
 template <class Matrix>
 Json to_json(const Matrix& m, int rows_per_entry) {
+  const int width = static_cast<int>(m.cols()) / rows_per_entry;
   Json out = Json::array();
   for (int i = 0; i < m.rows(); ++i) {
     Json entry = Json::array();
-    const int width = static_cast<int>(m.cols()) / rows_per_entry;
     for (int r = 0; r < rows_per_entry; ++r) {
       Json row = Json::array();
       for (int c = 0; c < width; ++c) row.push_back(m(i, r * width + c));
-      if (rows_per_entry == 1) {
-        entry = std::move(row);
-      } else {
-        entry.push_back(std::move(row));
-      }
+      entry.push_back(std::move(row));
     }
-    out.push_back(std::move(entry));
+    out.push_back(rows_per_entry == 1 ? std::move(entry[0]) : std::move(entry));
   }
   return out;
+}
+
+ParameterValue read_value(const Json& json, const std::string& name) {
+  if (json.is_boolean()) return json.get<bool>();
+  if (json.is_number()) return json.get<double>();
+  if (json.is_string()) return json.get<std::string>();
+  refuse("\"parameters\".\"" + name + "\"", "is no number, text or switch");
 }
 
 const Json& field(const Json& json, const char* name) {
@@ -59,39 +63,34 @@ const Json& field(const Json& json, const char* name) {
   return *it;
 }
 
+using Shape = std::vector<std::size_t>;
+
+// Numbers of one row, nested as `shape` from `depth` on; false for another shape or kind.
+template <class Row>
+bool read_row(const Json& json, const Shape& shape, std::size_t depth, Row& row, int& next) {
+  if (depth < shape.size()) {
+    return json.is_array() && json.size() == shape[depth] &&
+           std::all_of(json.begin(), json.end(), [&](const Json& part) {
+             return read_row(part, shape, depth + 1, row, next);
+           });
+  }
+  using Scalar = typename Row::Scalar;
+  if (!(std::is_integral_v<Scalar> ? json.is_number_integer() : json.is_number())) return false;
+  const double value = json.get<double>();
+  if (std::is_integral_v<Scalar> && std::abs(value) > 1e9) return false;
+  row(next++) = static_cast<Scalar>(value);
+  return true;
+}
+
 template <class Matrix>
-Matrix read_matrix(const Json& json, const std::string& name, int columns, int rows_per_entry) {
+Matrix read_matrix(const Json& json, const std::string& name, const Shape& shape) {
   if (!json.is_array()) refuse("\"" + name + "\"", "is no array");
-  Matrix m(static_cast<Eigen::Index>(json.size()), columns);
-  const int width = columns / rows_per_entry;
-  using Scalar = typename Matrix::Scalar;
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    const std::string where = "\"" + name + "\"[" + std::to_string(i) + "]";
-    const Json& entry = json[i];
-    if (!entry.is_array() ||
-        entry.size() != static_cast<std::size_t>(rows_per_entry == 1 ? width : rows_per_entry)) {
-      refuse(where, "has the wrong shape");
-    }
-    for (int r = 0; r < rows_per_entry; ++r) {
-      const Json& row = rows_per_entry == 1 ? entry : entry[static_cast<std::size_t>(r)];
-      if (!row.is_array() || row.size() != static_cast<std::size_t>(width)) {
-        refuse(where, "has the wrong shape");
-      }
-      for (int c = 0; c < width; ++c) {
-        const Json& value = row[static_cast<std::size_t>(c)];
-        const bool fits =
-            std::is_integral_v<Scalar> ? value.is_number_integer() : value.is_number();
-        if (!fits) refuse(where, "holds what is no number of the right kind");
-        if constexpr (std::is_integral_v<Scalar>) {
-          const long long x = value.get<long long>();
-          if (x < 0 || x > 1000000000) refuse(where, "holds an index out of range");
-          m(static_cast<Eigen::Index>(i), r * width + c) = static_cast<Scalar>(x);
-        } else {
-          const double x = value.get<double>();
-          if (!std::isfinite(x)) refuse(where, "holds a number that is not finite");
-          m(static_cast<Eigen::Index>(i), r * width + c) = x;
-        }
-      }
+  Matrix m(static_cast<Eigen::Index>(json.size()), Eigen::Index{Matrix::ColsAtCompileTime});
+  for (Eigen::Index i = 0; i < m.rows(); ++i) {
+    auto row = m.row(i);
+    int next = 0;
+    if (!read_row(json[static_cast<std::size_t>(i)], shape, 0, row, next)) {
+      refuse("\"" + name + "\"[" + std::to_string(i) + "]", "has the wrong shape");
     }
   }
   return m;
@@ -99,12 +98,104 @@ Matrix read_matrix(const Json& json, const std::string& name, int columns, int r
 
 TriangleMesh read_mesh(const Json& json, const std::string& prefix) {
   TriangleMesh mesh;
-  mesh.V = read_matrix<Points3>(field(json, "V"), prefix + "V", 3, 1);
-  mesh.F = read_matrix<Triangles>(field(json, "F"), prefix + "F", 3, 1);
+  mesh.V = read_matrix<Points3>(field(json, "V"), prefix + "V", {3});
+  mesh.F = read_matrix<Triangles>(field(json, "F"), prefix + "F", {3});
   return mesh;
 }
 
+[[noreturn]] void refuse_arrays(const std::string& field, const std::string& why) {
+  throw InvalidInput("design: " + field + " " + why,
+                     "give arrays that belong together, lengths in mm");
+}
+
+std::string quoted(const std::string& name) { return "\"" + name + "\""; }
+
+std::string entry(const std::string& name, Eigen::Index i) {
+  return quoted(name) + "[" + std::to_string(i) + "]";
+}
+
+template <class Matrix>
+void require_finite(const Matrix& m, const std::string& name) {
+  for (Eigen::Index i = 0; i < m.rows(); ++i) {
+    if (!m.row(i).allFinite()) refuse_arrays(entry(name, i), "is not finite");
+    if (m.row(i).cwiseAbs().maxCoeff() > tolerance::largest_coordinate) {
+      refuse_arrays(entry(name, i), "lies too far out");
+    }
+  }
+}
+
+template <class Matrix>
+void require_vertices(const Matrix& indices, Eigen::Index count, const std::string& name) {
+  for (Eigen::Index i = 0; i < indices.rows(); ++i) {
+    const int low = indices.row(i).minCoeff(), high = indices.row(i).maxCoeff();
+    if (low >= 0 && high < count) continue;
+    refuse_arrays(entry(name, i), "names vertex " + std::to_string(low < 0 ? low : high) +
+                                      ", there are " + std::to_string(count));
+  }
+}
+
+void check_mesh(const TriangleMesh& mesh, const std::string& prefix) {
+  if (mesh.F.rows() == 0) refuse_arrays(quoted(prefix + "F"), "is empty");
+  require_finite(mesh.V, prefix + "V");
+  require_vertices(mesh.F, mesh.V.rows(), prefix + "F");
+}
+
+void check_rows(const Array6& m, Eigen::Index tiles, const std::string& name) {
+  if (m.rows() != tiles) {
+    refuse_arrays(quoted(name), "has " + std::to_string(m.rows()) + " entries, \"F\" has " +
+                                    std::to_string(tiles));
+  }
+  require_finite(m, name);
+}
+
+Vec3 actuated_lengths(const TriangleMesh& mesh, Eigen::Index tile) {
+  Vec3 out;
+  for (int t = 0; t < 3; ++t) {
+    out[t] = (mesh.V.row(mesh.F(tile, next3(t))) - mesh.V.row(mesh.F(tile, t))).norm();
+  }
+  return out;
+}
+
+void check_unit(const Design& design) {
+  double sum = 0;
+  for (Eigen::Index i = 0; i < design.mesh.F.rows(); ++i) {
+    sum += actuated_lengths(design.mesh, i).mean();
+  }
+  const double mean = sum / static_cast<double>(design.mesh.F.rows()), L = design.parameters.L;
+  if (mean > L / 4 && mean < L * 4) return;
+  char text[120];
+  std::snprintf(text, sizeof text, "has edges of %.4g mm in the mean, parameter L says %.4g mm",
+                mean, L);
+  refuse_arrays(quoted("V"), text);
+}
+
+void check_congruence(const Design& design) {
+  for (Eigen::Index i = 0; i < design.T.rows(); ++i) {
+    const Vec2 corner[3] = {design.T.row(i).segment<2>(0), design.T.row(i).segment<2>(2),
+                            design.T.row(i).segment<2>(4)};
+    const Vec3 actuated = actuated_lengths(design.mesh, i);
+    for (int t = 0; t < 3; ++t) {
+      if (std::abs((corner[next3(t)] - corner[t]).norm() - actuated[t]) > 1e-3) {
+        refuse_arrays(entry("T", i), "is not congruent to its tile in \"V\" and \"F\"");
+      }
+    }
+    if (wedge(corner[1] - corner[0], corner[2] - corner[0]) <= 0) {
+      refuse_arrays(entry("T", i), "is not counter-clockwise");
+    }
+  }
+}
+
 }  // namespace
+
+void require_fitting_arrays(const Design& design) {
+  check_mesh(design.mesh, "");
+  check_rows(design.T, design.mesh.F.rows(), "T");
+  check_rows(design.q, design.mesh.F.rows(), "q");
+  require_vertices(design.cuts, design.mesh.V.rows(), "cuts");
+  if (design.target) check_mesh(*design.target, "target.");
+  check_unit(design);
+  check_congruence(design);
+}
 
 std::string write_design(const Design& design) {
   Json parameters = Json::object();
@@ -161,29 +252,19 @@ Design read_design(const std::string& text) {
   const Json& parameters = field(json, "parameters");
   if (!parameters.is_object()) refuse("\"parameters\"", "is no object");
   for (const auto& [key, value] : parameters.items()) {
-    if (value.is_boolean()) {
-      set_parameter(design.parameters, key, value.get<bool>());
-    } else if (value.is_number()) {
-      set_parameter(design.parameters, key, value.get<double>());
-    } else if (value.is_string()) {
-      set_parameter(design.parameters, key, value.get<std::string>());
-    } else {
-      refuse("\"parameters\".\"" + key + "\"", "is no number, text or switch");
-    }
+    set_parameter(design.parameters, key, read_value(value, key));
   }
   check_parameters(design.parameters);
   design.mesh = read_mesh(json, "");
-  design.T = read_matrix<FlatCorners>(field(json, "T"), "T", 6, 3);
-  design.q = read_matrix<Array6>(field(json, "q"), "q", 6, 2);
-  design.cuts = read_matrix<Edges>(field(json, "cuts"), "cuts", 2, 1);
+  design.T = read_matrix<FlatCorners>(field(json, "T"), "T", {3, 2});
+  design.q = read_matrix<Array6>(field(json, "q"), "q", {2, 3});
+  design.cuts = read_matrix<Edges>(field(json, "cuts"), "cuts", {2});
   if (json.contains("target")) {
     const Json& target = json["target"];
     if (!target.is_object()) refuse("\"target\"", "is no object");
     design.target = read_mesh(target, "target.");
   }
-  if (const auto fault = find_array_fault(design)) {
-    refuse(fault->field, fault->why);
-  }
+  require_fitting_arrays(design);
   return design;
 }
 

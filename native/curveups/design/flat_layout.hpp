@@ -21,8 +21,8 @@ struct PlaneRotation {
   Vec2 operator*(const Vec2& p) const { return {c * p.x() - s * p.y(), s * p.x() + c * p.y()}; }
 };
 
-// Of corners or insets that were handed in. Throws InvalidInput, naming `name`, for another number
-// of rows and for what is not finite.
+// Throws InvalidInput, naming `name`, for another number of rows and for numbers that are not
+// finite. values: corners or insets.
 void require_row_per_tile(const Array6& values, int tile_count, const std::string& name);
 
 FlatCorners flat_corners(const TileMesh& tiles, const FlatPoses& poses);

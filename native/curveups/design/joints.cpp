@@ -32,14 +32,14 @@ double joint_inset(const TileMesh& tiles, const Parameters& p, int tile, Side si
 }
 
 Array6 joint_insets(const TileMesh& tiles, const Parameters& p) {
-  constexpr double hair = 1e-3;  // so that no rounding of a layout closes a hole
+  constexpr double rounding = 1e-3;  // mm, of a layout, which must not close a hole
   Array6 insets = Array6::Zero(tiles.tile_count(), 6);
   if (p.joint != "holes") return insets;
   for (const Joint& joint : find_joints(tiles)) {
     for (int s = 0; s < 2; ++s) {
       const int tile = joint.tile[s], t = joint.side[s];
       for (Side side : {Side::front, Side::back}) {
-        insets(tile, inset_index(side, t)) = joint_inset(tiles, p, tile, side, t) + hair;
+        insets(tile, inset_index(side, t)) = joint_inset(tiles, p, tile, side, t) + rounding;
       }
     }
   }

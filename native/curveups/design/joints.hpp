@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Joints: edges along which two pieces are sewn together after printing, through a stitching hole
-// on either side. What such a hole asks of tiles, in closed form.
+// on either side, and the room that such a hole needs, in closed form.
 #pragma once
 
 #include <array>
@@ -18,18 +18,18 @@ struct Joint {
   std::array<int, 2> side;  // which edge (0 to 2) of each tile
 };
 
-// In the order of the edges. Cuts inside of one piece and the target's own boundary are none.
+// Joints in the order of the edges. Cuts inside of one piece and the target's boundary are none.
 std::vector<Joint> find_joints(const TileMesh& tiles);
 
-// How far the axis of a hole behind wall t lies from front edge t in the tile's plane, mm: a round
-// hole of joint_hole across, square to the faces, keeps p_floor of material to the wall, which
-// leans by half the fold, at every depth. The same for both tiles of a joint.
+// Distance of a hole's axis from front edge t in the tile's plane, mm: a round hole of joint_hole
+// across, square to the faces, keeps p_floor of material to the wall, which leans by half the fold,
+// at every depth. Equal for both tiles of a joint.
 double joint_depth(const TileMesh& tiles, const Parameters& parameters, int tile, int t);
 
 // Least inset of a pin's edge t that leaves p_floor of material between the hole and the pin, mm.
 double joint_inset(const TileMesh& tiles, const Parameters& parameters, int tile, Side side, int t);
 
-// M x 6 (inset_index): these insets at joints, a hair above; 0 elsewhere, and with joint=none.
+// M x 6 (inset_index): joint_inset and 1 micrometre at joints; 0 elsewhere, and with joint=none.
 Array6 joint_insets(const TileMesh& tiles, const Parameters& parameters);
 
 }  // namespace curveups

@@ -42,9 +42,9 @@ std::vector<double> corner_clearances(const TileMesh& tiles, const Array6& lower
   }
   normal.normalize();
   double highest = -std::numeric_limits<double>::infinity();
-  for (const PinnedCorner& one : corners) highest = std::max(highest, normal.dot(one.top));
+  for (const PinnedCorner& c : corners) highest = std::max(highest, normal.dot(c.top));
   std::vector<double> out;
-  for (const PinnedCorner& one : corners) out.push_back(highest - normal.dot(one.corner));
+  for (const PinnedCorner& c : corners) out.push_back(highest - normal.dot(c.corner));
   return out;
 }
 

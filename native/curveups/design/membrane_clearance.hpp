@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// How high the tops of pins stand over what membranes must clear: corners and edges of tiles at
-// tips and folds. An estimate from pins that stand as near to corners as they may; the layout has
-// the last word.
+// Height of pins' tops over corners and edges of tiles, which membranes must clear at tips and
+// folds: an estimate before the layout, from pins as near to corners as their bounds allow.
 #pragma once
 
 #include <vector>
@@ -10,21 +9,20 @@
 
 namespace curveups {
 
-// A membrane passes below its pins' tops: they have to stand higher than this part of H_pin. Where
-// designs of some twenty surfaces began to fail.
+// Least height over H_pin, since membranes pass below their pins' tops. Designs of some twenty
+// surfaces began to fail there.
 constexpr double least_membrane_clearance = 0.3;
 
-// By vertex, ascending; none for vertices of the boundary or of a cut, where the membrane is open.
+// Tiles of each vertex, ascending; none on the boundary or a cut, where the membrane is open.
 std::vector<std::vector<int>> tiles_around_inner_vertices(const TileMesh& tiles);
 
-// Of the tiles around an inner vertex (all that have it as a corner): by how much the highest pin
-// top there stands over the tile's corner, along the mean normal, mm. lower: the least insets of at
-// least these tiles' pins.
+// Height of the highest pin top around an inner vertex over each tile's corner there, along the
+// mean normal, mm. around: the vertex's tiles. lower: their pins' least insets.
 std::vector<double> corner_clearances(const TileMesh& tiles, const Array6& lower, double H_pin,
                                       Side side, int vertex, const std::vector<int>& around);
 
-// The same for the edge of a contact and a pin whose inset there is `inset`, mm. fold: rad, convex
-// positive.
+// Height of a pin's top over the edge of a contact from which its inset is `inset`, mm. dihedral:
+// rad, convex positive.
 double edge_clearance(double dihedral, Side side, double inset, double H_pin);
 
 }  // namespace curveups

@@ -8,7 +8,7 @@ namespace {
 
 using P = Parameters;
 
-#define CURVEUPS_CHOICE(function, name, ...) name,
+#define CURVEUPS_CHOICE(function, name) name,
 
 // clang-format off
 std::vector<ParameterInfo> make_table() {
@@ -127,7 +127,7 @@ std::vector<ParameterInfo> make_table() {
      keeps_layout, physics, &P::glue_strength, 1e-3, 100},
     {"membrane_model", "", "Physics",
      "Choose the energy of the membranes: tension-field (neo-Hookean; they wrinkle where "
-     "squeezed), mooney-rivlin (stiffer at large stretch; they wrinkle, too) or plain neo-hookean.",
+     "squeezed) or plain neo-hookean.",
      keeps_layout, physics, &P::membrane_model, 0, 0, {CURVEUPS_MEMBRANE_MODELS(CURVEUPS_CHOICE)}},
     {"friction_coefficient", "", "Physics",
      "Coefficient of Coulomb friction between tiles, also at bumps.",

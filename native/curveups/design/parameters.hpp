@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Every parameter of a design: one table that the command line, the design file, the FreeCAD
-// properties and the documentation all read.
+// Parameters of a design. The command line, the design file, the FreeCAD properties and the
+// documentation read one table.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ struct Parameters {
   double scale = 1.0;
   bool flip = false;
   std::string skin = "outer";
-  std::string faces;  // of a CAD part
+  std::string faces;
   std::string open = "auto";
   double L = 7.0;
   double maximum_deviation = 0.5;
@@ -73,14 +73,13 @@ struct Parameters {
   bool run_settling = true;
   std::string margin = "report";
   bool window = false;
-  // No row of the table: largest triangles of the coarser membrane mesh as a fraction of L (tests
-  // take coarser ones). Those of the finer mesh have half of it.
+  // No row of the table: largest edges of the coarser membrane mesh as a fraction of L (tests take
+  // larger ones); half of it on the finer mesh.
   double mesh_size = 0.65;
 };
 
-// Parts of the engine that read a parameter, as a set of flags: what they made of another value is
-// out of date. tiles: frustums, truncation and bounds of pins, which all but the target are made
-// of.
+// Parts of the engine that read a parameter, as a set of flags: their results are out of date when
+// it changes. tiles: frustums, truncation and bounds of pins, which all parts but the target read.
 namespace reader {
 enum Part : unsigned {
   target = 1,
@@ -100,7 +99,7 @@ inline constexpr std::array<std::string_view, 11> names = {"target",  "tiles",  
                                                            "check",   "pieces",  "settle"};
 }  // namespace reader
 
-// What a row says of its parameter besides; the stages' switches have none.
+// Traits of a parameter, as a set of flags; the stages' switches have none.
 namespace trait {
 enum Trait : unsigned {
   basic = 1,        // shown first; the others on request
@@ -119,11 +118,15 @@ struct ParameterInfo {
   double minimum = 0;  // numbers: the closed range
   double maximum = 0;
   std::vector<std::string_view> choices = {};  // texts; none where `text` says what they are
-  // The kind of a text without choices (parameter_texts.hpp).
+  // The kind of a text without choices:
+  //   tiles    a list for listed_tiles
+  //   faces    numbers or names of faces of a CAD part, or ranges of them: "Face3, 7-9"; or nothing
+  //   opening  the opening of a closed part: "auto", "largest", "none", or a plane: "z=0", "x>1.5"
+  //   pieces   number of pieces that a target is divided into: "auto", or 1 to 24
   std::string_view text = {};
 };
 
-// In the order in which they are shown.
+// Rows in the order in which they are shown.
 const std::vector<ParameterInfo>& parameter_table();
 // Null for an unknown name.
 const ParameterInfo* find_parameter(std::string_view name);
@@ -136,6 +139,10 @@ using ParameterValue = std::variant<double, bool, std::string>;
 void set_parameter(Parameters& parameters, std::string_view name, const ParameterValue& value);
 ParameterValue get_parameter(const Parameters& parameters, std::string_view name);
 bool operator==(const Parameters& a, const Parameters& b);
+
+// Tiles of a list like "T00012, T00345" (the first tile is T00001), numbered from 0, ascending.
+// Throws InvalidInput for anything else.
+std::vector<int> listed_tiles(std::string_view text);
 
 // Throws InvalidInput where single values are in range but contradict one another (p_min > p_max,
 // a bump higher than half its diameter, ...).

@@ -13,8 +13,8 @@
 namespace curveups {
 namespace {
 
-// Inset t of a pin's lower bound: p_min from the recessed edge, and no nearer to a facing pin than
-// concave folds allow.
+// Lower bound of inset t: p_min from the recessed edge, and no nearer to a facing pin than concave
+// folds allow.
 double lower_bound(const TileMesh& tiles, const Parameters& p, int tile, Side side, int t,
                    double p_min) {
   const int edge = tiles.topology.edge_of(tile, t);
@@ -26,10 +26,11 @@ double lower_bound(const TileMesh& tiles, const Parameters& p, int tile, Side si
   return std::max(recess + p_min, facing);
 }
 
-constexpr double between = 0.02;  // between bounds that contradict one another, for interior points
+constexpr double between = 0.02;  // mm from a lower bound above the upper one to the upper one then
+constexpr double spare = 1.02;    // times A_pin_floor where bounds give way, for an interior
 
-// least: what a hole of a joint behind edge t asks of the inset, 0 without one. Beyond a joint no
-// pin pulls, so that p_max has no reason there.
+// least: inset for a hole of a joint behind edge t, 0 without one. p_max does not count there, for
+// no membrane pulls across a joint.
 double upper_bound(const TileMesh& tiles, const Parameters& p, int tile, Side side, int t,
                    double least) {
   if (least > 0) return std::max(p.p_max, least + between);
@@ -41,7 +42,8 @@ double upper_bound(const TileMesh& tiles, const Parameters& p, int tile, Side si
   return std::min(p.p_max, p.H_pin / std::tan(bend) - pin_clearance);
 }
 
-// Pin corners that a plane could reach within the bounds. levels: z of the pin's foot and top.
+// Add keep-outs of the pin corners that a plane reaches within the bounds. levels: z of the pin's
+// foot and top.
 void add_keepouts(const TileMesh& tiles, int tile, Side side, const TruncationPlane& truncation,
                   double clearance, const std::array<double, 2>& levels, PinRegion& region) {
   const Plane& plane = truncation.plane;
@@ -67,8 +69,8 @@ void add_keepouts(const TileMesh& tiles, int tile, Side side, const TruncationPl
   }
 }
 
-// The least of sum l_t q_t within bounds and keep-outs: a linear program in three unknowns, solved
-// by visiting the vertices of its polyhedron. Infinite where there is none.
+// Least sum l_t q_t within bounds and keep-outs: a linear program in three unknowns, solved by
+// visiting the vertices of its polyhedron. Infinite where it has none.
 double least_inset_sum(const Vec3& weight, const PinRegion& region) {
   std::vector<std::pair<Vec3, double>> half_spaces;  // a . q >= b
   for (int t = 0; t < 3; ++t) {
@@ -130,26 +132,26 @@ PinRegion pin_region(const TileMesh& tiles, const Truncation& truncation, const 
 
 namespace {
 
-constexpr double enough = 1.02;  // times A_pin_floor, beside holes: room for interior points
+// Largest value between `low` and `high` that fits, by bisection; low where none does.
+template <class Fits>
+double largest_fitting(double low, double high, Fits fits) {
+  for (int k = 0; k < 30; ++k) {
+    const double middle = 0.5 * (low + high);
+    (fits(middle) ? low : high) = middle;
+  }
+  return low;
+}
 
-// The room that is left beside holes of joints, or as much of the way there as A_pin_floor lets
-// pins go: bounds follow vertices without a jump. least: becomes what was asked of the insets for
-// it.
+// Region beside holes of joints, or beside the largest share of them that A_pin_floor allows, so
+// that bounds follow vertices without a jump. least: set to the insets for them.
 PinRegion beside_holes(const TileMesh& tiles, const Truncation& truncation, const Parameters& p,
                        int tile, Side side, const Array6& joint, std::array<double, 3>& least) {
   const auto part = [&](double share) {
     for (int t = 0; t < 3; ++t) least[t] = share * joint(tile, inset_index(side, t));
     return pin_region(tiles, truncation, p, tile, side, p.p_min, least);
   };
-  const auto fits = [&](const PinRegion& region) { return region.area >= enough * p.A_pin_floor; };
-  PinRegion whole = part(1);
-  if (fits(whole)) return whole;
-  double low = 0, high = 1;
-  for (int k = 0; k < 30; ++k) {
-    const double middle = 0.5 * (low + high);
-    (fits(part(middle)) ? low : high) = middle;
-  }
-  return part(low);
+  const auto fits = [&](double share) { return part(share).area >= spare * p.A_pin_floor; };
+  return part(fits(1) ? 1 : largest_fitting(0, 1, fits));
 }
 
 }  // namespace
@@ -160,6 +162,7 @@ PinBounds compute_pin_bounds(const TileMesh& tiles, const Truncation& truncation
   PinBounds out;
   out.lower.resize(count, 6);
   out.upper.resize(count, 6);
+  out.area.resize(count, 2);
   out.least_area.resize(count, 2);
   const Array6 joint = joint_insets(tiles, p);
   for (int i = 0; i < count; ++i) {
@@ -168,16 +171,14 @@ PinBounds compute_pin_bounds(const TileMesh& tiles, const Truncation& truncation
       auto with = [&](double p_min) { return pin_region(tiles, truncation, p, i, side, p_min); };
       PinRegion region = with(p.p_min);
       if (region.area < p.A_pin_floor && p.p_floor < p.p_min) {
-        double low = 0.1 * p.p_min, high = p.p_min;
-        for (int k = 0; k < 30; ++k) {
-          const double middle = 0.5 * (low + high);
-          (with(middle).area >= 1.02 * p.A_pin_floor ? low : high) = middle;
-        }
-        const double lowered = std::max(low, p.p_floor);
-        const PinRegion asked = std::exchange(region, with(lowered));
+        const double fitting = largest_fitting(0.1 * p.p_min, p.p_min, [&](double p_min) {
+          return with(p_min).area >= spare * p.A_pin_floor;
+        });
+        const double lowered = std::max(fitting, p.p_floor);
+        const PinRegion before = std::exchange(region, with(lowered));
         for (int t = 0; t < 3; ++t) {
-          // Where facing pins bound the inset, p_min does not.
-          if (region.lower[t] < asked.lower[t]) {
+          // p_min does not count where facing pins bound the inset.
+          if (region.lower[t] < before.lower[t]) {
             out.relaxed.push_back({"p_min", i, side, t, p.p_min, lowered});
           }
         }
@@ -194,12 +195,13 @@ PinBounds compute_pin_bounds(const TileMesh& tiles, const Truncation& truncation
         out.lower(i, inset_index(side, t)) = region.lower[t];
         out.upper(i, inset_index(side, t)) = region.upper[t];
       }
-      // A hair of room where only a single point would be feasible; less of it where that would
-      // cost A_pin_floor.
+      // If the feasible set is nearly a point, ask for 99 % of its area, so that an interior
+      // exists; for more where that is below A_pin_floor.
       const bool small = region.area < p.A_pin_min * (1 + 1e-4);
       const double possible =
           std::max(0.99 * region.area, std::min(1.001 * p.A_pin_floor, 0.999 * region.area));
       out.least_area(i, static_cast<int>(side)) = small ? possible : p.A_pin_min;
+      out.area(i, static_cast<int>(side)) = region.area;
       if (small) out.small.push_back({i, side, region.area});
       out.keepouts.insert(out.keepouts.end(), region.keepouts.begin(), region.keepouts.end());
     }

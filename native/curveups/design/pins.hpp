@@ -20,9 +20,9 @@ std::array<Vec2, 3> pin_corners(const TileMesh& tiles, int tile, Side side, cons
 // Area of the pin's outline, mm2, negative where the insets turn it over.
 double pin_area(const TileMesh& tiles, int tile, Side side, const double* q);
 
-// How far each wall at a contact is recessed (mm, along its normal) so that the actuated shape
-// stays true: half of bump_height where bumps stand between walls (0 where recessing is off), and
-// where walls meet, with dimples or nothing on them, what a print grows by (xy_compensation).
+// Recess of each wall at a contact, mm along its normal, so that the actuated shape stays true:
+// half of bump_height where bumps stand between walls; xy_compensation, the growth of a print,
+// where walls meet, with dimples or nothing on them.
 double wall_recess(const Parameters& parameters);
 
 }  // namespace curveups

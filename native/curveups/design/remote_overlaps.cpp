@@ -42,7 +42,7 @@ bool apart(const std::array<Plane, 5>& planes, const Corners& other) {
   });
 }
 
-// Whether the truncated bodies overlap by more than counts.
+// The truncated bodies overlap by more than the tolerance.
 bool bodies_overlap(const TileMesh& tiles, const Truncation& truncation, int i, int j) {
   ConvexBody body = tile_body(tiles, truncation, i);
   const ConvexBody other = tile_body(tiles, truncation, j);
@@ -56,16 +56,16 @@ bool bodies_overlap(const TileMesh& tiles, const Truncation& truncation, int i, 
   return volume(body) > 0.1 * tolerance::overlap_volume;
 }
 
-// What a tile must keep, and the middle of its body.
+// Points that a tile must keep, and the middle of its body.
 struct Kept {
   std::vector<Vec3> points;
   Vec3 middle;
 };
 
-// The plane half-way between the convex hulls of what two tiles keep, along a separating axis: a
-// face normal of one of them or the cross product of two edges. Of all such planes the one that
-// stays farthest from both bodies' middles, so that it takes little away. False where the hulls
-// overlap, true where they touch.
+// Plane half-way between the convex hulls of the points that two tiles keep, along a separating
+// axis: a face normal of one of them or the cross product of two edges. Of all such planes the
+// farthest from both bodies' middles, which takes the least away. False where the hulls overlap,
+// true where they touch.
 bool separating_plane(const Kept& a, const Kept& b, Plane& plane) {
   double best = 0;
   auto test = [&](Vec3 axis) {
@@ -145,7 +145,7 @@ void bound_both(const TileMesh& tiles, const std::array<int, 2>& pair, const Pla
   }
 }
 
-// The plane in the middle of where two prisms overlap least, of all separating axes of prisms.
+// Plane in the middle of the overlap of two prisms along the axis on which they overlap least.
 // False where they do not overlap.
 bool middle_plane(const Corners& a, const Corners& b, Plane& plane) {
   double least = std::numeric_limits<double>::infinity();
@@ -216,7 +216,7 @@ void separate_remote_tiles(const TileMesh& tiles, std::vector<ContactPatch>& pat
       listed = true;
     }
     Plane plane{Vec3::Zero(), 0};
-    bool found = false, whole = true;
+    bool separated = false, whole = true;
     for (double share : {1.0, 0.75, 0.5, 0.25}) {
       whole = share == 1.0;
       std::array<Kept, 2> keep;
@@ -227,10 +227,10 @@ void separate_remote_tiles(const TileMesh& tiles, std::vector<ContactPatch>& pat
         keep[s].middle = Vec3::Zero();
         for (const Vec3& p : own) keep[s].middle += p / 6;
       }
-      found = separating_plane(keep[0], keep[1], plane);
-      if (found) break;
+      separated = separating_plane(keep[0], keep[1], plane);
+      if (separated) break;
     }
-    if (!found) {
+    if (!separated) {
       truncation.unresolved.push_back(pair);
       continue;
     }

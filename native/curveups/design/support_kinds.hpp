@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The kinds of support: the choices of the parameter `support`, and what fabrication/supports.hpp
-// declares and lists. Here and in the file of its function, which gives all of it (SupportKind), a
-// kind is all there is of it.
+// Kinds of support: the choices of the parameter `support`, and the functions that
+// fabrication/supports.hpp declares and lists. To add a kind: a line here and a file that returns
+// its SupportKind.
 #pragma once
 
 // KIND(function, "name among the choices")

@@ -154,6 +154,16 @@ std::vector<std::vector<int>> tiles_at_vertices(const TileMesh& tiles) {
   return out;
 }
 
+std::vector<std::vector<int>> pieces_of(const TileMesh& tiles) {
+  const std::vector<int> component = pieces_of_faces(tiles.topology, tiles.cut);
+  std::vector<std::vector<int>> pieces;
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    if (component[i] >= static_cast<int>(pieces.size())) pieces.resize(component[i] + 1);
+    pieces[component[i]].push_back(i);
+  }
+  return pieces;
+}
+
 std::string tile_name(int tile) {
   char name[16];
   std::snprintf(name, sizeof name, "T%05d", tile + 1);

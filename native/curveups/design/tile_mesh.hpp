@@ -14,7 +14,7 @@ namespace curveups {
 
 enum class Side { front = 0, back = 1 };
 
-// One value for each side of each tile: front, back.
+// M x 2, a value for each side of each tile: front, back.
 using PerSide = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
 
 // Two tiles that touch when actuated: an interior, uncut edge.
@@ -33,13 +33,13 @@ struct TileMesh {
 
   // Per tile. All but `frame` in the tile's own coordinates: the origin is its front corner 0, x
   // runs along its edge 0, z along the outward (front) normal. Its body fills -H_body <= z <= 0.
-  std::vector<RigidMotion> frame;          // where it is
+  std::vector<RigidMotion> frame;          // from the tile's coordinates to the world
   std::vector<std::array<Vec2, 3>> front;  // front corners, counter-clockwise
   std::vector<std::array<Vec2, 3>> back;   // back corners before truncation
   Array3 length;                           // of front edges, mm
   Array3 dihedral;    // signed dihedral deviation at each edge, rad: convex (ridge) positive, 0 at
                       // the boundary; kept across cuts, whose lips stand side by side when actuated
-  Array3 back_shift;  // how far each back edge lies inside the front one, mm: H_body tan(fold / 2)
+  Array3 back_shift;  // inset of each back edge from the front one, mm: H_body tan(dihedral / 2)
   Eigen::VectorXd area;  // of front triangles, mm2
 
   Vec3 normal(int tile) const { return frame[tile].R.col(2); }
@@ -66,22 +66,24 @@ TileMesh make_tile_mesh(const TriangleMesh& mesh, const Edges& cuts, double H_bo
 // where folds turn it over.
 double back_scale(const TileMesh& tiles, int tile);
 
-// Tiles whose back_scale is hardly positive: their folds are sharper than a tile of this thickness
-// can have.
+// Tiles with a back_scale below 1e-3: their folds are too sharp for this thickness.
 std::vector<int> tiles_without_back(const TileMesh& tiles);
 
-// Throws InfeasibleDesign with the tiles where there are any.
+// Throws InfeasibleDesign with tiles_without_back where there are any.
 void require_back_faces(const TileMesh& tiles);
 
 // N x 2, the tiles of each contact.
 Edges contact_tiles(const TileMesh& tiles);
 
-// By vertex: the tiles that have it as a corner, ascending.
+// Tiles of each vertex, ascending.
 std::vector<std::vector<int>> tiles_at_vertices(const TileMesh& tiles);
 
-// What tile i is called in files and messages: "T00001" for tile 0; a list is separated by commas.
+// Tiles of each piece (component joined by uncut edges), ascending, in the order of their first.
+std::vector<std::vector<int>> pieces_of(const TileMesh& tiles);
+
+// Name of a tile in files and messages: "T00001" for tile 0.
 std::string tile_name(int tile);
-// The first six, and how many more there are.
+// Names of the first six, separated by commas, and the number of the others.
 std::string tile_names(const std::vector<int>& tiles);
 
 }  // namespace curveups

@@ -6,7 +6,7 @@
 namespace curveups {
 namespace {
 
-// Of tile i: both triangles' corners at their heights, put where `to_place` takes the tile's frame.
+// Write both triangles' corners at their heights, moved by `to_place` from the tile's frame.
 template <class Place>
 void put(const std::array<Vec2, 3>& first, double first_z, const std::array<Vec2, 3>& second,
          double second_z, const Place& to_place, double* out) {
@@ -31,27 +31,25 @@ TileShapes tile_shapes(const TriangleMesh& mesh, const Edges& cuts, const Parame
   out.flat.resize(T.rows(), Eigen::NoChange);
   out.actuated_pins.resize(q.rows(), Eigen::NoChange);
   out.flat_pins.resize(T.rows() ? q.rows() : 0, Eigen::NoChange);
-  parallel_ranges(count, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      const auto actuated = [&](const Vec3& p) { return tiles.frame[i](p); };
-      const PlaneRotation turn(T.rows() ? poses(i, 2) : 0.0);
-      const auto flat = [&](const Vec3& p) {
-        const Vec2 at = Vec2(poses(i, 0), poses(i, 1)) + turn * p.head<2>();
-        return Vec3(at.x(), at.y(), p.z());
-      };
-      put(tiles.front[i], 0, tiles.back[i], -tiles.H_body, actuated, out.actuated.row(i).data());
-      if (T.rows()) {
-        put(tiles.front[i], 0, tiles.back[i], -tiles.H_body, flat, out.flat.row(i).data());
-      }
-      for (Side side : {Side::front, Side::back}) {
-        if (!q.rows()) break;
-        const int s = static_cast<int>(side);
-        const std::array<Vec2, 3> pin = pin_corners(tiles, i, side, q.row(i).data());
-        const double foot = side == Side::front ? 0 : -tiles.H_body;
-        const double top = side == Side::front ? parameters.H_pin : foot - parameters.H_pin;
-        put(pin, foot, pin, top, actuated, out.actuated_pins.row(i).data() + 18 * s);
-        if (T.rows()) put(pin, foot, pin, top, flat, out.flat_pins.row(i).data() + 18 * s);
-      }
+  parallel_for(count, [&](int i) {
+    const auto actuated = [&](const Vec3& p) { return tiles.frame[i](p); };
+    const PlaneRotation turn(T.rows() ? poses(i, 2) : 0.0);
+    const auto flat = [&](const Vec3& p) {
+      const Vec2 at = Vec2(poses(i, 0), poses(i, 1)) + turn * p.head<2>();
+      return Vec3(at.x(), at.y(), p.z());
+    };
+    put(tiles.front[i], 0, tiles.back[i], -tiles.H_body, actuated, out.actuated.row(i).data());
+    if (T.rows()) {
+      put(tiles.front[i], 0, tiles.back[i], -tiles.H_body, flat, out.flat.row(i).data());
+    }
+    for (Side side : {Side::front, Side::back}) {
+      if (!q.rows()) break;
+      const int s = static_cast<int>(side);
+      const std::array<Vec2, 3> pin = pin_corners(tiles, i, side, q.row(i).data());
+      const double foot = side == Side::front ? 0 : -tiles.H_body;
+      const double top = side == Side::front ? parameters.H_pin : foot - parameters.H_pin;
+      put(pin, foot, pin, top, actuated, out.actuated_pins.row(i).data() + 18 * s);
+      if (T.rows()) put(pin, foot, pin, top, flat, out.flat_pins.row(i).data() + 18 * s);
     }
   });
   out.contacts = contact_tiles(tiles);

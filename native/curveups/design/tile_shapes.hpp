@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Corners of tiles and pins in both configurations, in closed form. A window draws them.
+// Corners of tiles and pins in both configurations, in closed form, for pictures.
 #pragma once
 
 #include "curveups/design/design.hpp"

@@ -54,15 +54,15 @@ struct Crossing {
   int wall_a, wall_b;
 };
 
-// Which plane (through the origin) separates two cones. type 0: they do not overlap; -1: no plane.
+// Plane through the origin that separates two cones. type 0: they do not overlap; -1: no plane.
 struct Split {
   int type = 0;
   Vec3 normal = Vec3::Zero();  // from a to b
 };
 
-// The plane through a ray of the overlap and square to the way from one tile to the other. It takes
-// away more than the one through two crossing rays, but where these are nearly one ray (tiles that
-// all but touch in a line, as around regular vertices) it leaves the front faces alone.
+// Plane through a ray of the overlap and perpendicular to the way from one tile to the other. It
+// takes away more than the plane through two crossing rays, but leaves the front faces alone where
+// these rays nearly coincide (tiles that nearly touch in a line, as around regular vertices).
 Split separate_along(const Cone& a, const Cone& b, const Vec3& ray, double slack) {
   const Vec3 way = b.middle - a.middle;
   const Vec3 normal = (way - way.dot(ray) * ray).normalized();

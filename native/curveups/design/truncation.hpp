@@ -20,13 +20,13 @@ struct TruncationPlane {
 
 struct Truncation {
   std::vector<std::vector<TruncationPlane>> of_tile;
-  // The same above the front faces: these cut no body, they only bound front pins.
+  // Planes above the front faces: they cut no body and only bound front pins.
   std::vector<std::vector<TruncationPlane>> front_pins;
-  std::array<int, 5> pairs_of_type{};          // pairs settled by each type, from 1
+  std::array<int, 5> pairs_of_type{};          // pairs separated by each type, from 1
   std::vector<std::array<int, 2>> unresolved;  // pairs that no plane separates without losing a
                                                // contact point: an error of the target
-  std::vector<std::array<int, 2>> shortened;   // pairs without a common vertex for whose separation
-                                               // interfaces of one of them had to give way
+  std::vector<std::array<int, 2>> shortened;   // pairs without a common vertex whose separation
+                                               // shortened interfaces of one of them
 };
 
 // Planes for every pair of tiles that share a front vertex but no edge (interior vertices, boundary
@@ -39,7 +39,7 @@ struct Truncation {
 // vertex are listed as unresolved.
 Truncation truncate_at_vertices(const TileMesh& tiles);
 
-// The same at some vertices alone; planes are added to those given.
+// Add the planes at these vertices alone.
 void truncate_at_vertices(const TileMesh& tiles, const std::vector<int>& vertices,
                           Truncation& truncation);
 

@@ -3,10 +3,25 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "curveups/design/remote_overlaps.hpp"
 
 namespace curveups {
+namespace {
+
+std::vector<int> sorted_unique(std::vector<int> items) {
+  std::sort(items.begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
+  return items;
+}
+
+// Place of an item in a sorted list that has it.
+int place_of(int item, const std::vector<int>& sorted) {
+  return static_cast<int>(std::lower_bound(sorted.begin(), sorted.end(), item) - sorted.begin());
+}
+
+}  // namespace
 
 VertexPatches::VertexPatches(const DesignGeometry& geometry)
     : geometry_(geometry), tiles_at_(tiles_at_vertices(geometry.tiles)) {
@@ -27,16 +42,14 @@ std::vector<int> VertexPatches::tiles_around(const std::vector<int>& tiles) cons
       out.insert(out.end(), here.begin(), here.end());
     }
   }
-  std::sort(out.begin(), out.end());
-  out.erase(std::unique(out.begin(), out.end()), out.end());
-  return out;
+  return sorted_unique(std::move(out));
 }
 
 VertexPatch VertexPatches::around(int vertex) const {
   const TileMesh& tiles = geometry_.tiles;
   const std::vector<int>& star = tiles_at_[vertex];
-  // The vertex changes its tiles, by their folds those across their edges, by truncation planes the
-  // interfaces that end at a vertex of either; planes there need all tiles at these vertices.
+  // The vertex changes its tiles, through their folds the tiles across their edges, and through
+  // truncation planes the interfaces that end at a vertex of either, which need all tiles there.
   std::vector<int> changed = star;
   for (int tile : star) {
     for (int t = 0; t < 3; ++t) {
@@ -44,8 +57,7 @@ VertexPatch VertexPatches::around(int vertex) const {
       if (n >= 0) changed.push_back(n);
     }
   }
-  std::sort(changed.begin(), changed.end());
-  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+  changed = sorted_unique(std::move(changed));
   VertexPatch out;
   const std::vector<int> near = tiles_around(changed);
   out.tiles = tiles_around(near);
@@ -55,16 +67,13 @@ VertexPatch VertexPatches::around(int vertex) const {
   for (int tile : out.tiles) {
     for (int t = 0; t < 3; ++t) vertices.push_back(tiles.mesh.F(tile, t));
   }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  auto local = [&](int v) {
-    return static_cast<int>(std::lower_bound(vertices.begin(), vertices.end(), v) -
-                            vertices.begin());
-  };
+  vertices = sorted_unique(std::move(vertices));
+  auto local = [&](int v) { return place_of(v, vertices); };
   out.moving = local(vertex);
   out.mesh.V.resize(static_cast<Eigen::Index>(vertices.size()), 3);
-  for (std::size_t v = 0; v < vertices.size(); ++v)
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
     out.mesh.V.row(v) = tiles.mesh.V.row(vertices[v]);
+  }
   out.mesh.F.resize(count, 3);
   std::vector<std::array<int, 2>> cuts;
   out.remote = false;
@@ -72,9 +81,9 @@ VertexPatch VertexPatches::around(int vertex) const {
   out.H_body = tiles.H_body;
   for (int k = 0; k < count; ++k) {
     const int tile = out.tiles[k];
-    if (std::binary_search(changed.begin(), changed.end(), tile)) out.changed.push_back(k);
     if (std::binary_search(near.begin(), near.end(), tile)) out.near.push_back(k);
-    if (!out.changed.empty() && out.changed.back() == k) {
+    if (std::binary_search(changed.begin(), changed.end(), tile)) {
+      out.changed.push_back(k);
       for (int t = 0; t < 3; ++t) out.touched.push_back(local(tiles.mesh.F(tile, t)));
     }
     for (const TruncationPlane& plane : geometry_.truncation.of_tile[tile]) {
@@ -94,16 +103,14 @@ VertexPatch VertexPatches::around(int vertex) const {
       out.contacts.push_back(inside ? contact_of_[3 * tile + t] : -1);
     }
   }
-  std::sort(out.touched.begin(), out.touched.end());
-  out.touched.erase(std::unique(out.touched.begin(), out.touched.end()), out.touched.end());
+  out.touched = sorted_unique(std::move(out.touched));
   out.fixed.of_tile.resize(count);
   out.fixed.front_pins.resize(count);
   auto keep = [&](const std::vector<TruncationPlane>& planes, std::vector<TruncationPlane>& fixed) {
     for (TruncationPlane plane : planes) {
       if (plane.vertex < 0) continue;
       plane.vertex = local(plane.vertex);
-      plane.other = static_cast<int>(
-          std::lower_bound(out.tiles.begin(), out.tiles.end(), plane.other) - out.tiles.begin());
+      plane.other = place_of(plane.other, out.tiles);
       if (!std::binary_search(out.touched.begin(), out.touched.end(), plane.vertex)) {
         fixed.push_back(plane);
       }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// How tiles and interfaces change as one vertex of the mesh moves: the few tiles around it are
-// built anew, by the same code that builds all of them. For derivatives by vertices: frames, faces,
-// folds, truncation planes and interfaces are closed forms of some thirty neighbouring vertices, of
-// which one is varied.
+// Derivatives of tiles and interfaces by one vertex of the mesh: the few tiles around it are built
+// anew by the code that builds all of them. Frames, faces, folds, truncation planes and interfaces
+// are closed forms of some thirty neighbouring vertices, of which one is varied.
 #pragma once
 
 #include <functional>
@@ -21,18 +20,18 @@ struct LocalGeometry {
 
 // The part of a design around one of its vertices.
 struct VertexPatch {
-  TriangleMesh mesh;          // the moving vertex where it is in the design
+  TriangleMesh mesh;          // with the moving vertex at its place in the design
   Edges cuts;                 // vertex pairs of `mesh`
   int moving;                 // the vertex, in `mesh`
   std::vector<int> tiles;     // of the design, ascending
   std::vector<int> changed;   // into `tiles`: those whose shape the vertex changes
   std::vector<int> near;      // into `tiles`: those whose shape or truncation planes it changes
-  std::vector<int> contacts;  // of the design, as `mesh` numbers them; -1 where the vertex does not
-                              // change the interface
-  std::vector<int> touched;   // of `mesh`: vertices at whose truncation planes it pulls
-  Truncation fixed;           // the planes at other vertices of the tiles `near`
+  std::vector<int> contacts;  // numbers in the design, in the order of `mesh`; -1 where the vertex
+                              // does not change the interface
+  std::vector<int> touched;   // vertices of `mesh` whose truncation planes it changes
+  Truncation fixed;           // planes at other vertices of the tiles `near`
   bool remote;                // tiles without a common vertex overlap here
-  bool shaped;                // whether all tiles have back faces: planes and interfaces are made
+  bool shaped;                // all tiles have back faces: planes and interfaces exist
   double H_body;
 };
 
@@ -44,12 +43,12 @@ class VertexPatches {
   VertexPatch around(int vertex) const;
 
  private:
-  // With all their vertices' tiles.
+  // Tiles at the vertices of these.
   std::vector<int> tiles_around(const std::vector<int>& tiles) const;
 
   const DesignGeometry& geometry_;
-  std::vector<std::vector<int>> tiles_at_;  // by vertex
-  std::vector<int> contact_of_;             // by 3 tile + side
+  std::vector<std::vector<int>> tiles_at_;  // per vertex
+  std::vector<int> contact_of_;             // per 3 tile + side
 };
 
 // The patch's tiles and interfaces with its vertex at `position`. Tiles at the patch's rim lack

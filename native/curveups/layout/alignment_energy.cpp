@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "curveups/layout/layout_terms.hpp"
-#include "curveups/layout/placed_point.hpp"
 
 namespace curveups {
 namespace {

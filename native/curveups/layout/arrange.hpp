@@ -6,9 +6,9 @@
 
 namespace curveups {
 
-// Turns each piece to its smallest bounding rectangle (the longer side along x) and puts the pieces
+// Turn each piece to its smallest bounding rectangle (the longer side along x) and put the pieces
 // in rows, `margin` mm around each, so that the whole is about as wide as high; centred on the
-// origin. A piece of its own keeps the same layout but for this motion.
+// origin.
 FlatPoses arrange_pieces(const TileMesh& tiles, const FlatPoses& poses, double margin);
 
 }  // namespace curveups

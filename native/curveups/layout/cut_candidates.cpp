@@ -12,19 +12,19 @@ namespace curveups {
 namespace {
 
 constexpr int max_tips = 5, max_basins = 2, max_weak = 3, max_holes = 2;
-constexpr int rings = 3;             // an extreme is one among its vertices this far away
+constexpr int rings = 3;             // edges to all vertices that an extreme exceeds
 constexpr double least_depth = 0.1;  // of an extreme: log scale off the mean
 
-// A piece of the cut mesh with what all its candidates need.
+// A piece of the cut mesh with data for all its candidates.
 struct Piece {
   const TileMesh& tiles;
   MeshPiece part;
   MeshTopology topology;
   std::vector<std::vector<int>> loops;
   std::vector<char> on_boundary;
-  std::vector<std::vector<int>> neighbours;  // of each vertex, ascending
-  std::vector<int> tile_at;                  // of each vertex: the lowest tile around it
-  std::vector<double> length;                // of edges
+  std::vector<std::vector<int>> neighbours;  // per vertex, ascending
+  std::vector<int> tile_at;                  // per vertex: the lowest tile around it
+  std::vector<double> length;                // per edge
   PathTree to_boundary;
 
   Piece(const TileMesh& all, MeshPiece&& piece)
@@ -59,18 +59,18 @@ struct Piece {
 
   // All vertices at most `count` edges away.
   std::vector<int> around(int vertex, int count) const {
-    std::vector<int> found(1, vertex);
+    std::vector<int> reached(1, vertex);
     std::size_t begin = 0;
     for (int ring = 0; ring < count; ++ring) {
-      const std::size_t end = found.size();
+      const std::size_t end = reached.size();
       for (std::size_t k = begin; k < end; ++k) {
-        for (int n : neighbours[found[k]]) {
-          if (std::find(found.begin(), found.end(), n) == found.end()) found.push_back(n);
+        for (int n : neighbours[reached[k]]) {
+          if (std::find(reached.begin(), reached.end(), n) == reached.end()) reached.push_back(n);
         }
       }
       begin = end;
     }
-    return found;
+    return reached;
   }
 
   CutCandidate along(const std::vector<int>& path, Finding reason) const {
@@ -86,7 +86,7 @@ struct Piece {
   }
 };
 
-// A place that asks for a cut; the strongest are taken.
+// A candidate and the strength of its reason.
 struct Place {
   double strength;
   CutCandidate candidate;
@@ -129,7 +129,7 @@ void find_extremes(const Piece& piece, const Eigen::VectorXd& scale, std::vector
   }
 }
 
-// Weak contacts in this piece: the path begins with the contact's own edge.
+// Weak contacts in this piece: the cut has the contact's own edge.
 void find_weak(const Piece& piece, const std::vector<std::array<int, 2>>& weak,
                std::vector<Place>& places) {
   std::vector<char> taken(piece.vertex_count(), 0);

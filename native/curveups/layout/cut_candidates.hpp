@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Places where a cut may relieve a layout.
+// Candidates for cuts that relieve a layout.
 #pragma once
 
 #include <vector>
@@ -15,11 +15,11 @@ struct CutCandidate {
   Finding reason;
 };
 
-// Cuts along shortest edge paths, each from a place that asks for one to the nearest boundary or
-// cut; none splits a piece. Places are, in this order: tiles in `weak` (contacts between two of
-// them are cut themselves), clustered; interior extremes of the conformal scale, tips first, the
-// strongest first; holes, which are joined to another boundary. scale: relative_scale of the tiles,
-// all of whose pieces must be open and without handles.
+// Cuts along shortest edge paths to the nearest boundary or cut; none splits a piece. They begin,
+// in this order, at weak contacts (whose own edges are cut as well), at interior extremes of the
+// conformal scale, tips first, and at holes, which are joined to another boundary; of each kind the
+// strongest ones. scale: relative_scale of the tiles, all of whose pieces must be open and without
+// handles. weak: tile pairs.
 std::vector<CutCandidate> cut_candidates(const TileMesh& tiles, const Eigen::VectorXd& scale,
                                          const std::vector<std::array<int, 2>>& weak);
 

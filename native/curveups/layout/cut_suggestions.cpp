@@ -18,7 +18,7 @@ namespace {
 
 constexpr int max_drafts = 3;
 constexpr double worth = 0.03;  // least share by which a cut must lower Eq. 9's energy per contact
-// Largest scale spread of a map from which a layout is tried: beyond it maps alone choose.
+// Largest scale spread of a map for a draft layout: beyond it maps alone choose.
 constexpr double workable_spread = 20;
 
 Edges with(const Edges& a, const Edges& b) {
@@ -27,7 +27,7 @@ Edges with(const Edges& a, const Edges& b) {
   return out;
 }
 
-// Variance of the log scale over the area: what a cut does to the map, at the cost of the map.
+// Variance of the log scale over the area.
 double unevenness(const TileMesh& tiles, const Eigen::VectorXd& scale) {
   const Eigen::ArrayXd log = scale.array().log();
   return (tiles.area.array() * log.square()).sum() / tiles.area.sum();
@@ -77,7 +77,8 @@ class Suggester {
                       static_cast<double>(out_.cuts.size()) / std::max(1, options_.most));
   }
 
-  // None where the solver breaks down, or the sheet would lie on itself. Throws Cancelled.
+  // Figures of a draft layout; none where the solver breaks down, or the sheet would lie on itself.
+  // Throws Cancelled.
   std::optional<LayoutFigures> draft(const Edges& more) const {
     const Progress progress = [this](const std::string&, double) { return go_on(); };
     try {
@@ -99,12 +100,11 @@ class Suggester {
     }
   }
 
-  // What can't lie flat at all, as one suggestion.
+  // Suggest the cuts without which the target can't lie flat, as one.
   void open() {
     const Edges none(0, 2);
     const TileMesh given = tiles_with(none);
     CutSuggestion needed;
-    needed.opens = true;
     needed.edges = opening_cuts(mesh_, given.topology, given.cut);
     if (needed.edges.rows() > 0) needed.reasons.push_back({"cut.opens"});
     while (true) {
@@ -112,10 +112,10 @@ class Suggester {
       const TileMesh tiles = tiles_with(needed.edges);
       const Eigen::VectorXd scale = relative_scale(tiles);
       if (scale_spread(scale) <= workable_spread) break;
-      std::vector<Tried> found = candidates(tiles, scale, needed.edges);
-      if (found.empty() || !(found.front().unevenness < unevenness(tiles, scale))) break;
-      needed.edges = with(needed.edges, found.front().cut.edges);
-      needed.reasons.push_back(found.front().cut.reason);
+      const std::vector<Tried> tried = candidates(tiles, scale, needed.edges);
+      if (tried.empty() || !(tried.front().unevenness < unevenness(tiles, scale))) break;
+      needed.edges = with(needed.edges, tried.front().cut.edges);
+      needed.reasons.push_back(tried.front().cut.reason);
     }
     if (needed.edges.rows() == 0 || options_.most < 1) return;
     needed.after = draft(needed.edges);
@@ -123,64 +123,61 @@ class Suggester {
     take(std::move(needed));
   }
 
-  // Cuts that may help, those with the most even maps first.
+  // Candidates, those with the most even maps first.
   std::vector<Tried> candidates(const TileMesh& tiles, const Eigen::VectorXd& scale,
                                 const Edges& pending) const {
-    std::vector<Tried> found;
+    std::vector<Tried> tried;
     for (CutCandidate& cut : cut_candidates(tiles, scale, options_.weak)) {
-      found.push_back({std::move(cut), 0, 0, {}});
+      tried.push_back({std::move(cut), 0, 0, {}});
     }
-    parallel_ranges(static_cast<int>(found.size()), [&](int begin, int end) {
-      for (int k = begin; k < end; ++k) {
-        const DesignGeometry cut =
-            make_geometry(mesh_, with(with(cuts_, pending), found[k].cut.edges), parameters_);
-        checkpoint();
-        found[k].unevenness = unevenness(cut.tiles, relative_scale(cut.tiles));
-        found[k].feasible_sides = feasible_sides(cut.pin_bounds);
-      }
+    parallel_for(static_cast<int>(tried.size()), [&](int k) {
+      const DesignGeometry cut =
+          make_geometry(mesh_, with(with(cuts_, pending), tried[k].cut.edges), parameters_);
+      checkpoint();
+      tried[k].unevenness = unevenness(cut.tiles, relative_scale(cut.tiles));
+      tried[k].feasible_sides = feasible_sides(cut.pin_bounds);
     });
     // Along a cut tiles are truncated further, which may take all room from a pin.
     const int sides =
         feasible_sides(make_geometry(mesh_, with(cuts_, pending), parameters_).pin_bounds);
-    found.erase(std::remove_if(found.begin(), found.end(),
-                               [&](const Tried& tried) { return tried.feasible_sides < sides; }),
-                found.end());
-    std::stable_sort(found.begin(), found.end(),
+    tried.erase(std::remove_if(tried.begin(), tried.end(),
+                               [&](const Tried& t) { return t.feasible_sides < sides; }),
+                tried.end());
+    std::stable_sort(tried.begin(), tried.end(),
                      [](const Tried& a, const Tried& b) { return a.unevenness < b.unevenness; });
-    return found;
+    return tried;
   }
 
-  // Returns whether there was a cut worth making.
+  // Suggest the best cut; false where none is worth making.
   bool add_best() {
     if (!go_on()) throw Cancelled();
     const Edges none(0, 2);
     const TileMesh tiles = tiles_with(none);
-    std::vector<Tried> found = candidates(tiles, relative_scale(tiles), none);
-    if (found.empty()) return false;
-    if (found.size() > max_drafts) found.resize(max_drafts);
+    std::vector<Tried> tried = candidates(tiles, relative_scale(tiles), none);
+    if (tried.empty()) return false;
+    if (tried.size() > max_drafts) tried.resize(max_drafts);
     if (!drafted_) {
       now_ = draft(none);
       drafted_ = true;
       ++out_.solve.iterations;
     }
-    parallel_ranges(static_cast<int>(found.size()), [&](int begin, int end) {
-      for (int k = begin; k < end; ++k) found[k].figures = draft(found[k].cut.edges);
-    });
-    out_.solve.iterations += static_cast<int>(found.size());
+    parallel_for(static_cast<int>(tried.size()),
+                 [&](int k) { tried[k].figures = draft(tried[k].cut.edges); });
+    out_.solve.iterations += static_cast<int>(tried.size());
     const auto best = std::min_element(
-        found.begin(), found.end(),
+        tried.begin(), tried.end(),
         [](const Tried& a, const Tried& b) { return energy_of(a.figures) < energy_of(b.figures); });
     if (!(energy_of(best->figures) < (1 - worth) * energy_of(now_))) return false;
-    take({best->cut.edges, 0, {best->cut.reason}, false, now_, best->figures});
+    take({best->cut.edges, 0, {best->cut.reason}, now_, best->figures});
     return true;
   }
 
-  void take(CutSuggestion&& made) {
-    made.length = length_of(mesh_, made.edges);
-    cuts_ = with(cuts_, made.edges);
-    now_ = made.after;
+  void take(CutSuggestion&& cut) {
+    cut.length = length_of(mesh_, cut.edges);
+    cuts_ = with(cuts_, cut.edges);
+    now_ = cut.after;
     drafted_ = true;
-    out_.cuts.push_back(std::move(made));
+    out_.cuts.push_back(std::move(cut));
   }
 
   const TriangleMesh& mesh_;
@@ -189,7 +186,7 @@ class Suggester {
   const Progress& progress_;
   Edges cuts_;                        // those given and those suggested
   std::optional<LayoutFigures> now_;  // of the layout with cuts_
-  bool drafted_ = false;              // now_ is what a draft gave
+  bool drafted_ = false;              // now_ is known
   CutSuggestions out_;
 };
 

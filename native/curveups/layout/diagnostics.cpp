@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "curveups/core/errors.hpp"
-#include "curveups/core/parallel.hpp"
 #include "curveups/core/tolerances.hpp"
 #include "curveups/design/joints.hpp"
 #include "curveups/design/membrane_clearance.hpp"
@@ -17,7 +16,6 @@
 #include "curveups/geometry/cut_mesh.hpp"
 #include "curveups/layout/initial_layout.hpp"
 #include "curveups/layout/layout_terms.hpp"
-#include "curveups/layout/spring_length.hpp"
 
 namespace curveups {
 namespace {
@@ -40,19 +38,6 @@ double dihedral_margin(const TileMesh& tiles, int i, int t, double scale) {
   const double spare = 2 * tiles.area(i) * scale / (tiles.length(i, t) * tiles.H_body);
   const double half = 0.5 * tiles.dihedral(i, t);
   return 2 * (std::atan(std::tan(half) + spare) - half);
-}
-
-// Area of the largest pin of each side, mm2.
-PerSide largest_pins(const TileMesh& tiles, const Truncation& truncation, const Parameters& p) {
-  PerSide out(tiles.tile_count(), 2);
-  parallel_ranges(tiles.tile_count(), [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      for (Side side : {Side::front, Side::back}) {
-        out(i, static_cast<int>(side)) = pin_region(tiles, truncation, p, i, side, p.p_min).area;
-      }
-    }
-  });
-  return out;
 }
 
 PerSide membrane_clearance(const TileMesh& tiles, const Array6& lower, double H_pin) {
@@ -97,11 +82,13 @@ void add_shapes(const DesignGeometry& geometry, const Parameters& p, TargetFigur
   }
   out.trimmed.assign(trimmed.begin(), trimmed.end());
   out.overlapping = truncation.unresolved;
-  out.pin_area = largest_pins(tiles, truncation, p);
-  for (const SmallPin& pin : geometry.pin_bounds.small) {
-    out.pin_area(pin.tile, static_cast<int>(pin.side)) = pin.area;
-  }
+  out.pin_area = geometry.pin_bounds.area;
   out.membrane_clearance = membrane_clearance(tiles, geometry.pin_bounds.lower, p.H_pin);
+}
+
+// Conformal scale of each tile of a piece, in the order of its faces.
+Eigen::VectorXd scale_of(const MeshPiece& piece) {
+  return conformal_scale(piece.mesh, conformal_map(piece.mesh));
 }
 
 // Conformal scale, piece by piece as initial_layout scales its start: so that the median tile fits.
@@ -111,29 +98,28 @@ Eigen::VectorXd start_stretch(const TileMesh& tiles, const Eigen::VectorXd& leas
   for (const MeshPiece& piece : cut_into_pieces(tiles.mesh, tiles.topology, tiles.cut)) {
     Eigen::VectorXd scale;
     try {
-      scale = conformal_scale(piece.mesh, conformal_map(piece.mesh));
+      scale = scale_of(piece);
     } catch (const TopologyError&) {  // closed, with handles: cuts come first
       continue;
     } catch (const SolverFailure&) {
       continue;
     }
     std::vector<double> needed;
-    for (std::size_t k = 0; k < piece.faces.size(); ++k) {
-      const double s = scale[static_cast<Eigen::Index>(k)];
-      if (s > 0) needed.push_back(least[piece.faces[k]] / s);
+    for (Eigen::Index k = 0; k < scale.size(); ++k) {
+      if (scale[k] > 0) needed.push_back(least[piece.faces[k]] / scale[k]);
     }
     if (needed.empty()) continue;
     const auto median = needed.begin() + static_cast<long>(needed.size() / 2);
     std::nth_element(needed.begin(), median, needed.end());
-    for (std::size_t k = 0; k < piece.faces.size(); ++k) {
-      out[piece.faces[k]] = std::max(0.0, *median * scale[static_cast<Eigen::Index>(k)]);
+    for (Eigen::Index k = 0; k < scale.size(); ++k) {
+      out[piece.faces[k]] = std::max(0.0, *median * scale[k]);
     }
   }
   return out;
 }
 
-// The inset, the same at all edges, that leaves a side A_pin_min: the farther pins are from one
-// another the longer is the membrane that can follow a gap.
+// Inset, equal at all edges, that leaves a side A_pin_min: the farther pins are apart, the longer
+// is the membrane that can follow a gap.
 double widest_inset(const TileMesh& tiles, const Parameters& p, int tile, Side side) {
   const double perimeter = tiles.length.row(tile).sum();
   const double shift =
@@ -143,7 +129,7 @@ double widest_inset(const TileMesh& tiles, const Parameters& p, int tile, Side s
   return std::clamp(widest, std::min(p.p_min, p.p_max), p.p_max);
 }
 
-// The mean gap of a contact at which its membrane is slack on one side, mm.
+// Mean gap of a contact at which its membrane is slack on one side, mm.
 double widest_gap(const TileMesh& tiles, const Parameters& p, const Contact& contact) {
   double least = infinite;
   const int i = contact.tile[0], j = contact.tile[1];
@@ -193,7 +179,7 @@ TargetFigures target_figures(const TriangleMesh& mesh, const Edges& cuts, const 
   if (out.shaped) {
     add_shapes(make_geometry(std::move(tiles), p), p, out);
   } else {
-    out.pin_area = largest_pins(tiles, truncate_at_vertices(tiles), p);
+    out.pin_area = compute_pin_bounds(tiles, truncate_at_vertices(tiles), p).area;
   }
   return out;
 }
@@ -290,22 +276,6 @@ std::vector<Finding> broken_constraints(const DesignFigures& figures, double A_p
   return reasons;
 }
 
-// Ratio of Eq. 16 of every contact, front and back: the membrane's length at rest between the
-// facing pins over its actuated length. Above 1 it is slack.
-Eigen::VectorXd spring_ratios(const DesignGeometry& geometry, const Parameters& parameters,
-                              const FlatPoses& poses, const Array6& q) {
-  const LayoutModel model = make_layout_model(geometry, parameters);
-  const LayoutState state = state_of(model, poses, q);
-  const auto spring = make_spring_energy(model);
-  Eigen::VectorXd out(spring->element_count());
-  LayoutTerm::Value block;
-  for (int b = 0; b < spring->element_count(); ++b) {
-    spring->at(b, state, false, block);
-    out[b] = block.value.head(spring->dimension()).norm();
-  }
-  return out;
-}
-
 }  // namespace
 
 DesignFigures evaluate_design(const Design& design) {
@@ -341,15 +311,15 @@ DesignFigures evaluate_design(const Design& design) {
 Eigen::VectorXd relative_scale(const TileMesh& tiles) {
   Eigen::VectorXd out(tiles.tile_count());
   for (const MeshPiece& piece : cut_into_pieces(tiles.mesh, tiles.topology, tiles.cut)) {
-    const Eigen::VectorXd scale = conformal_scale(piece.mesh, conformal_map(piece.mesh));
+    const Eigen::VectorXd scale = scale_of(piece);
     double sum = 0, area = 0;
-    for (std::size_t k = 0; k < piece.faces.size(); ++k) {
-      const double s = scale[static_cast<Eigen::Index>(k)], a = tiles.area[piece.faces[k]];
-      if (s > 0) sum += a * std::log(s), area += a;
+    for (Eigen::Index k = 0; k < scale.size(); ++k) {
+      const double a = tiles.area[piece.faces[k]];
+      if (scale[k] > 0) sum += a * std::log(scale[k]), area += a;
     }
     const double mean = area > 0 ? std::exp(sum / area) : 1.0;
-    for (std::size_t k = 0; k < piece.faces.size(); ++k) {
-      out[piece.faces[k]] = std::max(least_scale, scale[static_cast<Eigen::Index>(k)] / mean);
+    for (Eigen::Index k = 0; k < scale.size(); ++k) {
+      out[piece.faces[k]] = std::max(least_scale, scale[k] / mean);
     }
   }
   return out;
@@ -368,9 +338,14 @@ LayoutFigures layout_figures(const DesignGeometry& geometry, const Parameters& p
   const LayoutState state = state_of(model, poses, q);
   for (const auto& term : make_energies(model)) out.energy += 2 * term->value(state);
   out.energy /= static_cast<double>(tiles.contacts.size());
-  const Eigen::VectorXd springs = spring_ratios(geometry, parameters, poses, q);
-  out.spring_mean = springs.mean();
-  out.slack_springs = static_cast<int>((springs.array() > 1).count());
+  const auto springs = make_spring_energy(model);
+  LayoutTerm::Value spring;
+  for (int k = 0; k < springs->element_count(); ++k) {
+    springs->at(k, state, false, spring);
+    const double ratio = spring.value.head(springs->dimension()).norm();
+    out.spring_mean += ratio / springs->element_count();
+    out.slack_springs += ratio > 1;
+  }
   return out;
 }
 

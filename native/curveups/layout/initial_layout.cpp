@@ -23,16 +23,6 @@ double inradius_with_gap(const TileMesh& tiles, int tile, double d_gap_min) {
   return tile_inradius(tiles, tile) + outside + 0.5 * d_gap_min;
 }
 
-std::vector<std::vector<int>> pieces_of(const TileMesh& tiles) {
-  const std::vector<int> component = pieces_of_faces(tiles.topology, tiles.cut);
-  std::vector<std::vector<int>> pieces;
-  for (int i = 0; i < tiles.tile_count(); ++i) {
-    if (component[i] >= static_cast<int>(pieces.size())) pieces.resize(component[i] + 1);
-    pieces[component[i]].push_back(i);
-  }
-  return pieces;
-}
-
 LayoutState initial_layout(const LayoutModel& model) {
   const TileMesh& tiles = model.geometry->tiles;
   LayoutState state(model.tile_count(), unknowns_per_tile);
@@ -40,17 +30,21 @@ LayoutState initial_layout(const LayoutModel& model) {
   for (const auto& [mesh, piece, original] :
        cut_into_pieces(tiles.mesh, tiles.topology, tiles.cut)) {
     Points2 map = conformal_map(mesh);
+    const auto triangle = [&map, &F = mesh.F](std::size_t k) {
+      std::array<Vec2, 3> corner;
+      for (int t = 0; t < 3; ++t) corner[t] = map.row(F(static_cast<Eigen::Index>(k), t));
+      return corner;
+    };
     std::vector<double> needed;
     for (std::size_t k = 0; k < piece.size(); ++k) {
-      const int i = piece[k];
-      std::array<Vec2, 3> corner;
-      for (int t = 0; t < 3; ++t) corner[t] = map.row(mesh.F(static_cast<Eigen::Index>(k), t));
+      const std::array<Vec2, 3> corner = triangle(k);
       const double flat_inradius =
           inradius(0.5 * std::abs(wedge(corner[1] - corner[0], corner[2] - corner[0])),
                    (corner[1] - corner[0]).norm() + (corner[2] - corner[1]).norm() +
                        (corner[0] - corner[2]).norm());
       if (flat_inradius > 0) {
-        needed.push_back(inradius_with_gap(tiles, i, model.parameters.d_gap_min) / flat_inradius);
+        needed.push_back(inradius_with_gap(tiles, piece[k], model.parameters.d_gap_min) /
+                         flat_inradius);
       }
     }
     if (!needed.empty()) {
@@ -63,8 +57,7 @@ LayoutState initial_layout(const LayoutModel& model) {
     left = map.col(0).maxCoeff() + 2 * model.L;
     for (std::size_t k = 0; k < piece.size(); ++k) {
       const int i = piece[k];
-      std::array<Vec2, 3> corner;
-      for (int t = 0; t < 3; ++t) corner[t] = map.row(mesh.F(static_cast<Eigen::Index>(k), t));
+      const std::array<Vec2, 3> corner = triangle(k);
       const Vec2 middle = (corner[0] + corner[1] + corner[2]) / 3;
       double cosine = 0, sine = 0;
       for (int t = 0; t < 3; ++t) {

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The start of the layout: every tile lies rigidly in its triangle of a conformal map.
+// Start of the layout: every tile lies rigidly in its triangle of a conformal map.
 #pragma once
 
 #include "curveups/layout/layout_model.hpp"
 
 namespace curveups {
 
-// Tiles of each piece (component joined by uncut edges), in ascending order of the lowest tile.
-std::vector<std::vector<int>> pieces_of(const TileMesh& tiles);
-
-// Of a tile's front triangle, mm.
+// Inradius of a tile's front triangle, mm.
 double tile_inradius(const TileMesh& tiles, int tile);
 
-// The inradius of the place that a tile takes with half a gap around it, mm; tiles that grow
-// towards the back take more.
+// Inradius of a tile with half a gap around it, mm; tiles that grow towards the back take more.
 double inradius_with_gap(const TileMesh& tiles, int tile, double d_gap_min);
 
 // Conformal map of each piece, of the mesh opened along the cuts, scaled so that the median tile

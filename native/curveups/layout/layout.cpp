@@ -10,7 +10,7 @@
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/tolerances.hpp"
-#include "curveups/design/print_margin.hpp"
+#include "curveups/design/print_constants.hpp"
 #include "curveups/layout/arrange.hpp"
 #include "curveups/layout/initial_layout.hpp"
 #include "curveups/layout/layout_terms.hpp"
@@ -18,16 +18,23 @@
 namespace curveups {
 namespace {
 
-// Complementarity (energy units) at the start, where the layout is settled enough to look for
-// collisions, and at the end, where the objective has four digits.
+// Barrier parameter (energy units) at the start, for the first search for collisions, and at the
+// end, where the objective has four digits.
 constexpr double mu_start = 1e-1, mu_search = 3e-3, mu_end = 1e-6;
-// mm beyond d_gap_min: pairs as near as that before the end are kept apart as well.
+// mm beyond d_gap_min: nearer pairs are separated before the end as well.
 constexpr double search_margin = 0.05;
-// mm by which a constraint may be violated at the end: a pin's area (mm2) lacks up to some times as
-// much as its constraint.
+// Violation of a constraint at the end, mm: a pin's area (mm2) lacks up to some times as much.
 constexpr double accuracy = 0.1 * tolerance::constraint;
 constexpr int max_iterations = 600, max_starts = 3;
 constexpr int max_draft_iterations = 60;  // twice what a sound start takes
+
+// Distance from the tiles to the rim of the slab that carries them and their anchors, and a gap,
+// mm.
+double print_margin(const Parameters& p) {
+  const double anchors = p.anchors ? anchor_distance + 2 * p.anchor_radius : 0.0;
+  const double support = p.support == "none" ? 0.0 : support_margin;
+  return anchors + support + p.d_gap_min;
+}
 
 void require_pin_regions(const PinBounds& bounds) {
   std::vector<int> without;
@@ -55,7 +62,7 @@ LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& para
   InteriorPoint method(
       {std::make_move_iterator(energies.begin()), std::make_move_iterator(energies.end())},
       make_constraints(model), inset_bounds(model));
-  const LayoutTerms terms = make_energies(model);  // for those who listen
+  const LayoutTerms terms = make_energies(model);  // for the callback and the report
   LayoutResult result;
   const bool draft = effort == LayoutEffort::draft;
   std::set<std::pair<int, int>> known;  // pairs of tiles that constraints keep apart
@@ -65,16 +72,16 @@ LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& para
   const auto separate = [&](const LayoutState& at, double mu) {
     if (mu > mu_search) return false;
     const double margin = mu > mu_end ? search_margin : -accuracy;
-    bool found = false;
+    bool added = false;
     for (const Separation& pair :
          find_close_pairs(geometry.tiles, poses_of(model, at), parameters.d_gap_min + margin)) {
       if (!known.insert(std::minmax(pair.tile, pair.other)).second) continue;
       add_separation(model, pair);
       ++result.separations;
-      found = true;
+      added = true;
     }
-    result.collision_rounds += found;
-    return found;
+    result.collision_rounds += added;
+    return added;
   };
   double progressed = 0;  // never falls, though a new start may
   const Progress watched = [&](const std::string& what, double fraction) {
@@ -87,8 +94,8 @@ LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& para
     }
     return keep_going(progress, what, progressed);
   };
-  // Pairs that were far into one another can let multipliers grow without bound: what was found of
-  // the pairs stays, the rest starts again.
+  // Pairs far into one another can let multipliers grow without bound: the method then starts again
+  // with all pairs known.
   for (int start = 0; start < max_starts; ++start) {
     const int most = (draft ? max_draft_iterations : max_iterations) - result.solve.iterations;
     SolveReport outcome =

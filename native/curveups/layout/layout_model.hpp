@@ -23,12 +23,12 @@ struct LayoutTile {
   std::array<Vec2, 3> outward;                // unit normals of the edges, the same on both sides
   // Pin corner t = corner[side][t] + per_previous[t] q[t-1] + per_own[t] q[t].
   std::array<Vec2, 3> per_previous, per_own;
-  std::array<double, 3> length;  // of front edges
-  double area;                   // of the front triangle
-  std::array<double, 2> shift;   // sum over edges of length times how far the side's face is inset
+  std::array<double, 3> length;  // front edges
+  double area;                   // front triangle
+  std::array<double, 2> shift;   // per side: sum over edges of length times inset of the face
 };
 
-// One corner of a tile and an edge of another, on one side (Eq. 7).
+// Gap between a corner of a tile and an edge of another, on one side (Eq. 7).
 struct CornerGap {
   int tile, edge;     // the edge's line ...
   int other, corner;  // ... and the corner that must keep its distance from it
@@ -40,18 +40,17 @@ struct LayoutModel {
   Parameters parameters;
   double L;  // normalises the energies
   std::vector<LayoutTile> tiles;
-  std::vector<CornerGap> gaps;  // of contacts, in both directions, then of pairs found to collide
+  std::vector<CornerGap> gaps;  // contacts, in both directions, then pairs that collided
 
   int tile_count() const { return static_cast<int>(tiles.size()); }
 };
 
 LayoutTile make_layout_tile(const TileMesh& tiles, int tile);
 
-// geometry must outlive the model. Contacts' gaps are in it; collisions are added as they are
-// found.
+// Model with the gaps of contacts. geometry must outlive it.
 LayoutModel make_layout_model(const DesignGeometry& geometry, const Parameters& parameters);
 
-// Keeps `separation.other` beyond the edge of `separation.tile`, all three corners on both sides.
+// Keep `separation.other` beyond the edge of `separation.tile`, all three corners on both sides.
 void add_separation(LayoutModel& model, const Separation& separation);
 
 FlatPoses poses_of(const LayoutModel& model, const LayoutState& state);

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "curveups/layout/layout_terms.hpp"
-#include "curveups/layout/placed_point.hpp"
 
 namespace curveups {
 namespace {

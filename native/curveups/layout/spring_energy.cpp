@@ -8,8 +8,6 @@
 #include <cmath>
 
 #include "curveups/layout/layout_terms.hpp"
-#include "curveups/layout/placed_point.hpp"
-#include "curveups/layout/spring_length.hpp"
 
 namespace curveups {
 namespace {

@@ -21,6 +21,17 @@ Eigen::Matrix3d make_basis(const Vec3& normal) {
 
 }  // namespace
 
+Points3 tile_centres(const TileMesh& tiles) {
+  Points3 centres(tiles.tile_count(), 3);
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    const auto corners = tiles.mesh.F.row(i);
+    centres.row(i) = (tiles.mesh.V.row(corners(0)) + tiles.mesh.V.row(corners(1)) +
+                      tiles.mesh.V.row(corners(2))) /
+                     3;
+  }
+  return centres;
+}
+
 BalanceSystem::BalanceSystem(std::vector<ContactPoint> points, const Points3& centres, double lever,
                              const std::vector<int>& held)
     : points_(std::move(points)), centres_(centres), lever_(lever) {
@@ -113,7 +124,7 @@ Wrenches BalanceSystem::wrenches(const Eigen::VectorXd& f) const {
   for (int p = 0; p < point_count(); ++p) {
     for (int end = 0; end < 2; ++end) {
       const int tile = points_[p].tile[end];
-      Vector6 wrench = arm_[p][end] * f.segment<3>(3 * p);
+      Eigen::Matrix<double, 6, 1> wrench = arm_[p][end] * f.segment<3>(3 * p);
       wrench.tail<3>() *= lever_;
       out.row(tile) += wrench.transpose();
     }
@@ -143,6 +154,21 @@ bool BalanceSystem::factorize(const std::vector<Eigen::Matrix3d>& D) {
     if (matrix_->factorize(0, relative * mean)) return true;
   }
   return false;
+}
+
+WrenchBalance wrench_balance(const Wrenches& wrenches, const Points3& centres, double lever) {
+  Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
+  double mean = 0;
+  if (wrenches.rows() == 0) return {0, 0};
+  const Vec3 origin = centres.colwise().mean();
+  for (int i = 0; i < wrenches.rows(); ++i) {
+    const Vec3 f = wrenches.row(i).head<3>(), arm = centres.row(i).transpose() - origin;
+    force += f;
+    torque += wrenches.row(i).tail<3>().transpose() + arm.cross(f);
+    mean += f.norm() / static_cast<double>(wrenches.rows());
+  }
+  if (!(mean > 0)) return {0, 0};
+  return {force.cwiseAbs().maxCoeff() / mean, torque.cwiseAbs().maxCoeff() / (lever * mean)};
 }
 
 }  // namespace curveups

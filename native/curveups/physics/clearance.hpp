@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Measures the clearance of the actuated membranes over the bodies of tiles.
+// Clearance of the actuated membranes over the bodies of tiles.
 #pragma once
 
 #include "curveups/physics/membrane_solution.hpp"
@@ -8,19 +8,15 @@ namespace curveups {
 
 struct MembraneClearance {
   double distance = 0;  // least, mm; negative: the depth to which a membrane would cut into a body
-  int tile = -1;        // where
-  int patch = -1;       // in the membrane's domain
+  int tile = -1;
 };
 
-// Per patch of the membrane's domain, against the faces of the tiles it joins (their front or
-// truncated back faces). Exact distances of triangles and faces, H_pin at most. Deterministic.
+// Least distance of each patch of the membrane's domain to the bodies of the tiles it joins, H_pin
+// at most. Exact distances of triangles and bodies.
 std::vector<MembraneClearance> patch_clearances(const DesignGeometry& geometry,
                                                 const MembraneSolution& membrane, double H_pin);
 
-// The least of them; H_pin where a side has no membrane.
+// Least clearance of all patches; H_pin where a side has no membrane. Of equal ones the last.
 MembraneClearance least_clearance(const std::vector<MembraneClearance>& of_patches, double H_pin);
-
-// Distance of two triangles that do not cross, 0 where they do.
-double triangle_distance(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b);
 
 }  // namespace curveups

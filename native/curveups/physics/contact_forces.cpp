@@ -57,24 +57,4 @@ ContactForces solve_contact_forces(BalanceSystem& system, const Wrenches& loads)
   return out;
 }
 
-std::vector<ContactSummary> summarize_contacts(const BalanceSystem& system, const Points3& force) {
-  std::vector<ContactSummary> out;
-  int p = 0;
-  while (p < system.point_count()) {
-    const int contact = system.points()[p].contact;
-    int count = 0;
-    double normal = 0, least = 0;
-    Vec3 tangential = Vec3::Zero();
-    for (; p < system.point_count() && system.points()[p].contact == contact; ++p, ++count) {
-      const Eigen::Matrix3d& basis = system.basis(p);
-      normal += force(p, 0);
-      least = count == 0 ? force(p, 0) : std::min(least, force(p, 0));
-      tangential += force(p, 1) * basis.col(1) + force(p, 2) * basis.col(2);
-    }
-    const double ratio = tangential.norm() / std::max(std::abs(normal), 1e-300);
-    out.push_back({contact, normal / count, least, ratio});
-  }
-  return out;
-}
-
 }  // namespace curveups

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Contact forces by least squares (paper, Eqs. 1 and 2): the smallest forces that balance every
-// tile, contacts taken to be able to pull and to hold any friction.
+// tile, of contacts that may pull and bear any friction.
 #pragma once
 
+#include "curveups/design/contacts.hpp"
 #include "curveups/physics/balance_system.hpp"
 
 namespace curveups {
@@ -24,14 +25,5 @@ struct ContactForces {
 
 // loads: all that acts on the tiles besides contacts. The system's factorization is left at A A^T.
 ContactForces solve_contact_forces(BalanceSystem& system, const Wrenches& loads);
-
-struct ContactSummary {
-  int contact;
-  double normal_mean, normal_min;
-  double friction_ratio;  // |sum of tangential forces| / |sum of normal forces|
-};
-
-// Per contact that has points, ascending.
-std::vector<ContactSummary> summarize_contacts(const BalanceSystem& system, const Points3& force);
 
 }  // namespace curveups

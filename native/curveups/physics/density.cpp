@@ -9,7 +9,7 @@
 namespace curveups {
 
 const std::vector<DensityModel>& density_models() {
-#define CURVEUPS_ROW(function, name, convex) {name, function, convex},
+#define CURVEUPS_ROW(function, name) {name, function},
   static const std::vector<DensityModel> models = {CURVEUPS_MEMBRANE_MODELS(CURVEUPS_ROW)};
 #undef CURVEUPS_ROW
   return models;
@@ -25,7 +25,7 @@ const DensityModel& density_model(std::string_view name) {
 
 namespace {
 
-// Of C: half the difference of its diagonal, and its other entry.
+// Half the difference of the diagonal of C, and its off-diagonal entry.
 Eigen::Vector2d deviator(const Gradient32& F) {
   return {0.5 * (F.col(0).squaredNorm() - F.col(1).squaredNorm()), F.col(0).dot(F.col(1))};
 }
@@ -55,19 +55,6 @@ Eigen::Vector2d principal_direction(const Gradient32& F) {
   const double sign = d.y() < 0 ? -1.0 : 1.0;
   return d.x() >= 0 ? Eigen::Vector2d(larger, sign * smaller)
                     : Eigen::Vector2d(smaller, sign * larger);
-}
-
-Matrix6 cross_curvature(const Gradient32& F) {
-  using Eigen::Matrix3d;
-  const Eigen::Vector3d f1 = F.col(0), f2 = F.col(1);
-  const Matrix3d off =
-      2 * f1 * f2.transpose() - f2 * f1.transpose() - f1.dot(f2) * Matrix3d::Identity();
-  Matrix6 out;
-  out.topLeftCorner<3, 3>() = f2.squaredNorm() * Matrix3d::Identity() - f2 * f2.transpose();
-  out.bottomRightCorner<3, 3>() = f1.squaredNorm() * Matrix3d::Identity() - f1 * f1.transpose();
-  out.topRightCorner<3, 3>() = off;
-  out.bottomLeftCorner<3, 3>() = off.transpose();
-  return out;
 }
 
 }  // namespace curveups

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What a membrane's energy density answers. Densities are per kappa: multiply by kappa h (half the
-// shear modulus times the rest thickness) and the rest area.
+// Energy densities of membranes, per kappa: multiply by kappa h (half the shear modulus times the
+// rest thickness) and the rest area.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,32 +16,25 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;     // (f1, f2)
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 // Taut: both principal stresses pull. Wrinkled: one does. Slack: none. (The plain neo-Hookean
-// density carries compression; its states say where the relaxed one would differ.)
+// density bears compression; its states say where the relaxed one would differ.)
 enum class MembraneTension : unsigned char { taut = 0, wrinkled = 1, slack = 2 };
 
 struct Density {
   double value = 0;
   Vector6 gradient = Vector6::Zero();
-  Matrix6 hessian = Matrix6::Zero();  // left zero unless asked for
+  Matrix6 hessian = Matrix6::Zero();  // zero without `second`
 };
 
-// What some densities need besides F.
-struct DensityConstants {
-  double regularization = 1e-4;  // of those that leave slack parts without a unique position
-  double mooney_share = 0.5;     // C2 / (C1 + C2)
-};
-
-// Every density is a function of F, in a file of its name: value, gradient and (where `second`)
-// Hessian by F.
-#define CURVEUPS_DECLARE(function, name, convex) \
-  Density function(const Gradient32& F, const DensityConstants& constants, bool second);
+// Each density is a function of F in a file of its name: value, gradient and (with `second`)
+// Hessian by F. regularization: for densities that leave slack parts without a unique position.
+#define CURVEUPS_DECLARE(function, name) \
+  Density function(const Gradient32& F, double regularization, bool second);
 CURVEUPS_MEMBRANE_MODELS(CURVEUPS_DECLARE)
 #undef CURVEUPS_DECLARE
 
 struct DensityModel {
-  std::string_view name;  // as the parameter has it
-  Density (*evaluate)(const Gradient32& F, const DensityConstants& constants, bool second);
-  bool convex;  // its Hessian is nowhere indefinite
+  std::string_view name;  // as the parameter membrane_model has it
+  Density (*evaluate)(const Gradient32& F, double regularization, bool second);
 };
 
 const std::vector<DensityModel>& density_models();
@@ -57,8 +50,5 @@ PrincipalStretches principal_stretches(const Gradient32& F);
 
 // Unit eigenvector of C for l1; that for l2 is the same turned by +90 degrees.
 Eigen::Vector2d principal_direction(const Gradient32& F);
-
-// Half the Hessian of |f1 x f2|^2 by F.
-Matrix6 cross_curvature(const Gradient32& F);
 
 }  // namespace curveups

@@ -7,19 +7,17 @@
 #include "curveups/core/parallel.hpp"
 
 namespace curveups {
+
 DesignForces::DesignForces(const DesignGeometry& geometry, const Parameters& parameters,
                            std::array<SolvedMembrane, 2> solved, const FlatPoses& poses,
                            const Array6& q)
     : parameters_(parameters), poses_(poses), q_(q), membranes_(std::move(solved)) {
   take_geometry(geometry);
   parallel_each(2, [&](int s) {
-    const SolvedMembrane& m = membranes_[s];
-    equilibria_[s].reset(new MembraneEquilibrium(
-        membrane_equilibrium(m.mesh, vertex_positions(m.mesh.weights, m.flat_corners), parameters,
-                             static_cast<Side>(s))));
-    if (!equilibria_[s]->factorize(m.state.x)) {
-      throw no_equilibrium(static_cast<Side>(s));
-    }
+    const Side side = static_cast<Side>(s);
+    equilibria_[s] = std::make_unique<MembraneEquilibrium>(
+        membrane_equilibrium(membranes_[s], parameters, side));
+    if (!equilibria_[s]->factorize(membranes_[s].state.x)) throw no_equilibrium(side);
   });
   solve_contacts();
 }
@@ -38,7 +36,7 @@ void DesignForces::move(const DesignGeometry& geometry, const FlatPoses& poses, 
     SolvedMembrane& m = membranes_[static_cast<int>(side)];
     m.flat_corners = flat_pin_corners(geometry.tiles, poses, q, side);
     MembraneEquilibrium& equilibrium = *equilibria_[static_cast<int>(side)];
-    equilibrium.set_rest(vertex_positions(m.mesh.weights, m.flat_corners), parameters_.tau);
+    equilibrium.set_rest(m.flat(), parameters_.tau);
     move_pins(m, equilibrium, actuated_pin_corners(geometry.tiles, q, side, parameters_.H_pin),
               sink);
   };
@@ -49,14 +47,13 @@ void DesignForces::move(const DesignGeometry& geometry, const FlatPoses& poses, 
 }
 
 void DesignForces::solve_contacts() {
-  loads_ = weights(*geometry_, poses_, q_, parameters_);
+  loads_ = weights(*geometry_, q_, parameters_);
   loads_ += carry(*geometry_, loads_, parameters_).table;
   for (Side side : {Side::front, Side::back}) {
     const SolvedMembrane& m = membrane(side);
     // Rounding alone may keep a membrane from the last digits of its tolerance.
     if (!(m.state.solve.residual < 1e-6)) throw no_equilibrium(side);
-    add_wrenches(pin_corner_forces(m.mesh, m.state, geometry_->tiles.tile_count()),
-                 m.actuated_corners, system_->centres(), loads_);
+    loads_ += membrane_wrenches(m.mesh, m.state, system_->centres());
   }
   forces_ = solve_contact_forces(*system_, loads_);
 }

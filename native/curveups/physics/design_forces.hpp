@@ -18,10 +18,9 @@ class DesignForces {
   DesignForces(const DesignGeometry& geometry, const Parameters& parameters,
                std::array<SolvedMembrane, 2> solved, const FlatPoses& poses, const Array6& q);
 
-  // Other poses, insets and vertices, same mesh: a geometry with the same tiles and cuts, which
+  // Follow other poses, insets and vertices on the same mesh. geometry: of the same tiles and cuts;
   // must outlive this. Throws InvalidInput where a triangle of the mesh turns over (then mesh
-  // again), SolverFailure, Cancelled; what is held is then of no use until the next successful
-  // move.
+  // again), SolverFailure, Cancelled; nothing here is valid then until the next successful move.
   void move(const DesignGeometry& geometry, const FlatPoses& poses, const Array6& q,
             const Progress& progress);
 
@@ -34,7 +33,7 @@ class DesignForces {
   const MembraneEquilibrium& equilibrium(Side side) const {
     return *equilibria_[static_cast<int>(side)];
   }
-  // Its factorization is that of A A^T.
+  // Balance with the factorization of A A^T.
   const BalanceSystem& system() const { return *system_; }
   const Wrenches& loads() const { return loads_; }
   const ContactForces& contact_forces() const { return forces_; }

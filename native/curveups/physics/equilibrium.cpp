@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "curveups/core/errors.hpp"
@@ -11,10 +10,11 @@
 namespace curveups {
 
 namespace {
-constexpr double jacobi_damping = 0.6;
+constexpr int max_iterations = 200;
+constexpr double tolerance = 1e-11;  // residual
 }  // namespace
 
-void MembraneEquilibrium::measure(MembraneState& state, double tolerance) const {
+void MembraneEquilibrium::measure(MembraneState& state) const {
   double largest = 0, glued = 0;
   int count = 0;
   for (int v = 0; v < state.gradient.rows(); ++v) {
@@ -45,28 +45,19 @@ bool MembraneEquilibrium::direction(const Points3& gradient, Points3& out) const
   return step.allFinite();
 }
 
-MembraneState MembraneEquilibrium::solve(const Points3& start, const EquilibriumOptions& options,
-                                         const Progress& progress, const std::string& what) {
+MembraneState MembraneEquilibrium::solve(const Points3& start, const Progress& progress,
+                                         const std::string& what) {
   MembraneState state;
-  state.energy = std::numeric_limits<double>::infinity();
-  Points3 x = start, gradient, step;
-  for (int sweep = 0; sweep <= options.sweeps; ++sweep) {
-    const bool last = sweep == options.sweeps;
-    const double energy =
-        last ? energy_.gradient(x, gradient) : energy_.jacobi_direction(x, gradient, step);
-    if (!(energy < state.energy)) break;
-    state.x = x;
-    state.energy = energy;
-    std::swap(state.gradient, gradient);
-    if (!last) x += jacobi_damping * step;
-  }
+  state.x = start;
+  state.energy = energy_.gradient(start, state.gradient);
   if (!std::isfinite(state.energy)) {
     throw SolverFailure("a membrane triangle has no area in the actuated shape",
                         "use the tension-field model");
   }
-  measure(state, options.tolerance);
+  measure(state);
   if (energy_.free_count() == 0) return state;
-  while (!state.solve.converged() && state.solve.iterations < options.max_iterations) {
+  Points3 x, gradient, step;
+  while (!state.solve.converged() && state.solve.iterations < max_iterations) {
     if (!keep_going(progress, what)) {
       state.solve.status = SolveStatus::stopped;
       break;
@@ -76,8 +67,7 @@ MembraneState MembraneEquilibrium::solve(const Points3& start, const Equilibrium
     const double slope = step.cwiseProduct(state.gradient).sum();
     const double rounding = 1e-13 * std::abs(state.energy);
     bool accepted = false;
-    for (double length = std::min(1.0, energy_.largest_step(state.x, step));
-         length > 1e-8 && !accepted; length *= 0.5) {
+    for (double length = 1; length > 1e-8 && !accepted; length *= 0.5) {
       x = state.x + length * step;
       const double energy = energy_.gradient(x, gradient);
       if (energy <= state.energy + 1e-4 * length * slope + rounding) {
@@ -88,7 +78,7 @@ MembraneState MembraneEquilibrium::solve(const Points3& start, const Equilibrium
       }
     }
     if (!accepted) break;
-    measure(state, options.tolerance);
+    measure(state);
   }
   return state;
 }

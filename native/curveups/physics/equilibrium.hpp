@@ -12,21 +12,11 @@
 
 namespace curveups {
 
-struct EquilibriumOptions {
-  int max_iterations = 200;
-  // Damped Jacobi sweeps ahead of Newton's method: what an interpolated start is wrong in varies
-  // from vertex to vertex, and each sweep costs a tenth of an iteration.
-  int sweeps = 3;
-  // Largest force left on a free vertex, relative to the mean force on a glued one.
-  double tolerance = 1e-11;
-};
-
 struct MembraneState {
   Points3 x;         // all mesh vertices, mm
   Points3 gradient;  // dE / dx there, N; the membrane pulls with minus this on its pins
   double energy = 0;
-  // residual: the largest force on a free vertex, relative to the mean on a glued one.
-  SolveReport solve;
+  SolveReport solve;  // residual: largest force on a free vertex over the mean on a glued one
 };
 
 // Owns the Hessian's factorization: after solve() it is that of the last step.
@@ -36,37 +26,37 @@ class MembraneEquilibrium {
                       const MembraneMaterial& material)
       : energy_(mesh, flat, tau, material), hessian_(energy_.pattern()) {}
 
-  // start: all vertices, glued ones in their final places. The energy never rises from step to
-  // step. Stops early when progress asks to.
-  MembraneState solve(const Points3& start, const EquilibriumOptions& options,
-                      const Progress& progress = {}, const std::string& what = "membrane");
+  // Newton's method with a backtracking line search, to a residual of 1e-11. start: all vertices,
+  // glued ones in their final places. Stops early when progress asks to. Throws SolverFailure where
+  // the start has a triangle without area that the density can't bear.
+  MembraneState solve(const Points3& start, const Progress& progress = {},
+                      const std::string& what = "membrane");
 
-  // Another rest shape of the same mesh (MembraneEnergy::set_rest); the factorization's ordering
-  // stays.
+  // Replace the rest shape of the mesh (MembraneEnergy::set_rest).
   void set_rest(const Points2& flat, double tau) { energy_.set_rest(flat, tau); }
   // Factorizes the Hessian at x, for respond(). False where it is not finite.
   bool factorize(const Points3& x) {
     Points3 gradient;
     return energy_.free_count() == 0 || factorize(x, gradient);
   }
-  // How free vertices follow displacements of glued ones, by the last factorization: fills in the
-  // free rows of each displacement. x: the equilibrium.
+  // Response of free vertices to displacements of glued ones, by the last factorization: fills in
+  // the free rows of each displacement. x: the equilibrium.
   void respond(const Points3& x, std::vector<Points3>& displacements) const;
 
   const MembraneEnergy& energy() const { return energy_; }
 
  private:
-  void measure(MembraneState& state, double tolerance) const;
+  void measure(MembraneState& state) const;
   bool factorize(const Points3& x, Points3& gradient);
-  // False where it is not finite.
+  // Newton direction; false where it is not finite.
   bool direction(const Points3& gradient, Points3& out) const;
 
   MembraneEnergy energy_;
   BlockMatrix<3> hessian_;
 };
 
-// Positions on a mesh that refine_mesh made from the one `coarse` belongs to: midpoints, except for
-// glued vertices, which are taken from `glued`.
+// Positions on the refined mesh (refine_mesh) of the one that `coarse` belongs to: midpoints, and
+// `glued` at glued vertices.
 Points3 prolong(const MembraneMesh& fine, const Points3& coarse, const Points3& glued);
 
 }  // namespace curveups

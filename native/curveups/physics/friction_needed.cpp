@@ -41,7 +41,7 @@ FrictionNeeded find_friction_needed(const SolvedDesign& solved, const DesignGeom
   Eigen::VectorXd force =
       Eigen::Map<const Eigen::VectorXd>(solved.forces.force.data(), 3 * count) / scale;
   ConeOptions options;
-  options.floor = solved.f_min_ratio * std::max(0.0, solved.forces.normal_mean) / scale;
+  options.floor = solved.f_min() / scale;
   double mu = solved.design.parameters.friction_coefficient;
   options.weight = Eigen::VectorXd::Ones(count);
   for (int k = 0; k < most_programs && mu > 0; ++k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Loads on tiles besides membranes and contacts: their weight, and what carries it.
+// Loads on tiles besides membranes and contacts: their weight, and the support that balances it.
 #pragma once
 
 #include "curveups/design/design.hpp"
@@ -10,29 +10,28 @@ namespace curveups {
 // Direction of gravity in the coordinates of the target.
 inline const Vec3 gravity_down = -Vec3::UnitZ();
 
-// M x 6, N and N mm about the tiles' centres: what is printed, by parameter density, with pins and
-// bumps (recessed as printed), and the membranes, each free part shared by the tiles around it and
-// hanging at their pins' tops. Zero without gravity. Throws what plan_bumps throws.
-Wrenches weights(const DesignGeometry& geometry, const FlatPoses& poses, const Array6& q,
-                 const Parameters& parameters);
+// Weight of bodies (with recessed walls) and pins by the parameter density, M x 6, N and N mm about
+// the tiles' centres; zero with gravity=off. Bumps, holes of joints and the sheets are left out,
+// some 5 % together.
+Wrenches weights(const DesignGeometry& geometry, const Array6& q, const Parameters& parameters);
 
-// The tiles that carry the piece where gravity is held, ascending: held_tiles, by default of every
-// piece the lowest one and those that share a corner with it, about what fingers hold. None
-// otherwise.
+// Tiles that carry the piece with gravity=held, ascending: the parameter held_tiles; by default the
+// lowest tile of every piece and those that share a corner with it, about what fingers hold. None
+// with another gravity.
 std::vector<int> held_tiles(const DesignGeometry& geometry, const Parameters& parameters);
 
-// Where the weight goes.
+// Support of the weight.
 struct Carried {
-  Wrenches table;  // what a table pushes, M x 6; zero where gravity is not resting
-  // The first tile of every piece (tiles joined by contacts) that nothing carries, and of every
-  // piece that tips over on the table, ascending.
+  Wrenches table;  // pushes of a table, M x 6; zero unless gravity=resting
+  // First tile of every piece (tiles joined by contacts) without support, and of every piece that
+  // tips over on the table, ascending.
   std::vector<int> in_the_air, tipping;
 };
 
-// Where gravity is resting each piece stands on a level plane through the lowest corner of all
-// bodies; every corner within L / 20 of it touches. A table only pushes. As it is level the weight
-// asks for no friction, and the least pushes that balance the weight of a rigid piece are one
-// answer whatever the membranes do: nothing of their tension reaches the table. weight: weights().
+// With gravity=resting each piece stands on a level plane through the lowest corner of all bodies,
+// on every corner within L / 20 of it. The table only pushes and, being level, needs no friction.
+// The pushes are the least that balance the weight of a rigid piece, so that no tension of the
+// membranes reaches the table. weight: weights().
 Carried carry(const DesignGeometry& geometry, const Wrenches& weight, const Parameters& parameters);
 
 }  // namespace curveups

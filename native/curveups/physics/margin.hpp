@@ -15,9 +15,9 @@ namespace curveups {
 
 struct Margin {
   std::string mode = "off";
-  double mismatch = 0, friction_coefficient = 0;  // %, as asked
-  // True where pushing forces of f_min within friction exist at both corners; without a value where
-  // that was not asked or could not be shown.
+  double mismatch = 0, friction_coefficient = 0;  // parameters (mismatch in %)
+  // True where pushing forces of f_min within friction exist at both corners; without a value with
+  // margin=off or where neither could be shown.
   std::optional<bool> met;
   std::array<double, 2> largest_floor{};  // N, as UnilateralResult has it
   // Failures with the front pulling harder, and with the back.

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Where one membrane is free (paper, Fig. 9): between the pins of tiles in contact, and around the
+// Free parts of one membrane (paper, Fig. 9): between the pins of tiles in contact, and around the
 // uncut interior vertices that those contacts enclose. The pins themselves are holes: membrane that
-// is glued to a pin balances itself. Holes of the target and slits of cuts stay open. Where glue
-// has let go of a pin, the membrane is free above it too.
+// is glued to a pin balances itself. Holes of the target and slits of cuts stay open.
 #pragma once
 
 #include <array>

@@ -24,12 +24,12 @@ std::array<Eigen::Vector2d, 3> shape_gradients(const Eigen::Matrix2d& inverse) {
   return {-b1 - b2, b1, b2};
 }
 
-// What a triangle adds to the gradient by its vertex with shape gradient b.
+// Gradient of a triangle's energy by its vertex with shape gradient b.
 Vec3 pull(double factor, const Eigen::Vector2d& b, const Vector6& stress) {
   return factor * (b.x() * stress.head<3>() + b.y() * stress.tail<3>());
 }
 
-// Second derivatives by one vertex.
+// Second derivatives of a triangle's energy by one vertex.
 Eigen::Matrix3d vertex_block(const Matrix6& hessian, const Eigen::Vector2d& b) {
   const Eigen::Matrix3d mixed = hessian.topRightCorner<3, 3>();
   return b.x() * b.x() * hessian.topLeftCorner<3, 3>() +
@@ -37,7 +37,7 @@ Eigen::Matrix3d vertex_block(const Matrix6& hessian, const Eigen::Vector2d& b) {
          b.y() * b.y() * hessian.bottomRightCorner<3, 3>();
 }
 
-// And by two, the first of them in the rows.
+// Second derivatives by two vertices, the first of them in the rows.
 Eigen::Matrix3d pair_block(const Matrix6& hessian, const Eigen::Vector2d& row,
                            const Eigen::Vector2d& column) {
   const Eigen::Matrix3d h11 = hessian.topLeftCorner<3, 3>(), h12 = hessian.topRightCorner<3, 3>(),
@@ -46,7 +46,7 @@ Eigen::Matrix3d pair_block(const Matrix6& hessian, const Eigen::Vector2d& row,
          row.y() * column.x() * h12.transpose() + row.y() * column.y() * h22;
 }
 
-// What a triangle adds: by its vertices, and by the pairs 0-1, 1-2, 2-0 of them.
+// Share of a triangle: by its vertices, and by the pairs 0-1, 1-2, 2-0 of them.
 struct TriangleDerivatives {
   double value;
   std::array<Vec3, 3> pull;
@@ -145,7 +145,7 @@ Gradient32 MembraneEnergy::deformation(const Element& element, const Points3& x)
 }
 
 Density MembraneEnergy::density(const Gradient32& F, bool second) const {
-  return material_.model->evaluate(F, material_.constants, second);
+  return material_.model->evaluate(F, material_.regularization, second);
 }
 
 double MembraneEnergy::value(const Points3& x) const {
@@ -199,80 +199,11 @@ double MembraneEnergy::add_derivatives(const Points3& x, Points3& gradient, Bloc
   return stiffness_ * sum;
 }
 
-double MembraneEnergy::jacobi_direction(const Points3& x, Points3& gradient,
-                                        Points3& direction) const {
-  gradient.setZero(x.rows(), 3);
-  direction.setZero(x.rows(), 3);
-  std::vector<Eigen::Matrix3d> blocks(x.rows(), Eigen::Matrix3d::Zero());
-  auto make = [&](int index, TriangleDerivatives& out) {
-    const Element& e = elements_[index];
-    Density d = density(deformation(e, x), true);
-    const double factor = stiffness_ * e.weight;
-    out.value = e.weight * d.value;
-    if (!material_.model->convex) d.hessian = positive_part(d.hessian);
-    const std::array<Eigen::Vector2d, 3> b = shape_gradients(e.inverse);
-    for (int k = 0; k < 3; ++k) {
-      out.pull[k] = pull(factor, b[k], d.gradient);
-      out.own[k] = factor * vertex_block(d.hessian, b[k]);
-    }
-  };
-  double sum = 0;
-  auto take = [&](int index, const TriangleDerivatives& triangle) {
-    sum += triangle.value;
-    for (int k = 0; k < 3; ++k) {
-      const int v = elements_[index].vertex[k];
-      gradient.row(v) += triangle.pull[k].transpose();
-      blocks[v] += triangle.own[k];
-    }
-  };
-  parallel_gather<TriangleDerivatives>(element_count(), make, take);
-  parallel_ranges(static_cast<int>(x.rows()), [&](int begin, int end) {
-    for (int v = begin; v < end; ++v) {
-      if (!is_free(v)) continue;
-      blocks[v].diagonal().array() += 1e-9 * blocks[v].trace();
-      direction.row(v) = -blocks[v].llt().solve(gradient.row(v).transpose()).transpose();
-    }
-  });
-  return stiffness_ * sum;
-}
-
-Points3 MembraneEnergy::harmonic(const Points3& glued) const {
-  Points3 x = glued;
-  if (free_count() == 0) return x;
-  BlockMatrix<1> laplacian(pattern_);
-  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(glued.rows(), 3);
-  int coupling = 0;
-  for (const Element& e : elements_) {
-    const std::array<Eigen::Vector2d, 3> b = shape_gradients(e.inverse);
-    for (int k = 0; k < 3; ++k, ++coupling) {
-      const BlockSlot& slot = pattern_->slot(coupling);
-      if (slot.stored()) *laplacian.column(slot, 0) += e.weight * b[k].dot(b[next3(k)]);
-      if (!is_free(e.vertex[k])) continue;
-      laplacian.diagonal(e.vertex[k], 0) += e.weight * b[k].dot(b[k]);
-      for (int n = 0; n < 3; ++n) {
-        if (is_free(e.vertex[n])) continue;
-        right.row(e.vertex[k]) -= e.weight * b[k].dot(b[n]) * glued.row(e.vertex[n]);
-      }
-    }
-  }
-  if (!laplacian.factorize()) {
-    throw SolverFailure("the membrane's harmonic start could not be computed",
-                        "a part of the membrane hangs on no pin: check cuts and layout");
-  }
-  const Eigen::MatrixXd solution = laplacian.solve(right);
-  for (int v = 0; v < x.rows(); ++v) {
-    if (is_free(v)) x.row(v) = solution.row(v);
-  }
-  return x;
-}
-
 std::vector<TriangleStretch> MembraneEnergy::stretches(const Points3& x) const {
   std::vector<TriangleStretch> out(elements_.size());
-  parallel_ranges(element_count(), [&](int begin, int end) {
-    for (int e = begin; e < end; ++e) {
-      const PrincipalStretches l = principal_stretches(deformation(elements_[e], x));
-      out[e] = {std::sqrt(l.l1), std::sqrt(l.l2), l.tension()};
-    }
+  parallel_for(element_count(), [&](int e) {
+    const PrincipalStretches l = principal_stretches(deformation(elements_[e], x));
+    out[e] = {std::sqrt(l.l1), std::sqrt(l.l2), l.tension()};
   });
   return out;
 }

@@ -15,7 +15,7 @@ struct MembraneMaterial {
   double shear_modulus = 0.72;  // MPa
   double thickness = 0.5;       // at rest, mm
   const DensityModel* model = &density_model("tension-field");
-  DensityConstants constants;
+  double regularization = 1e-4;  // DensityModel::evaluate
 };
 
 // Per triangle, for pictures and verdicts.
@@ -24,8 +24,8 @@ struct TriangleStretch {
   MembraneTension tension;
 };
 
-// A block for each vertex of the mesh; those that no pin holds are unknown. An element is a
-// triangle, with its exact Hessian. N mm.
+// Energy of a membrane, N mm: a block per mesh vertex, unknown where no pin holds it; an element
+// per triangle, with its exact Hessian.
 class MembraneEnergy : public Term<3> {
  public:
   // flat: per mesh vertex. Throws what set_rest throws.
@@ -33,34 +33,27 @@ class MembraneEnergy : public Term<3> {
                  const MembraneMaterial& material);
 
   std::string_view name() const override { return "membrane"; }
-  // Of the Hessian.
+  // Pattern of the Hessian.
   const std::shared_ptr<const BlockPattern>& pattern() const { return pattern_; }
   bool is_free(int vertex) const { return pattern_->rank(vertex) >= 0; }
   int free_count() const { return pattern_->free_count(); }
-  // kappa h: half the shear modulus times the rest thickness, N / mm.
-  double stiffness() const { return stiffness_; }
 
   void couple(std::vector<Coupling>& couplings) const override;
   // Infinite where a triangle of the plain density has no area.
   double value(const Points3& x) const override;
-  // The gradient has a row for every mesh vertex, glued ones too: the pull on a pin is minus its.
+  // The gradient has a row for every mesh vertex, glued ones too, where it is minus the pull on the
+  // pin.
   double derivatives(const Points3& x, Points3& gradient, BlockMatrix<3>* hessian,
                      int first) const override {
     return add_derivatives(x, gradient, hessian, first, false);
   }
-  // The gradient and, where it is not null, the Hessian (of this pattern) alone. `projected`: the
-  // nearest positive semidefinite matrix in each triangle.
+  // Set the gradient and, unless null, the Hessian (of this pattern). `projected`: with the nearest
+  // positive semidefinite matrix of each triangle.
   double gradient(const Points3& x, Points3& gradient, BlockMatrix<3>* hessian = nullptr,
                   bool projected = false) const;
-  // A sweep of Jacobi's method: per free vertex minus the inverse of its own block of the Hessian
-  // times its gradient; zero for glued ones. Returns the energy at x.
-  double jacobi_direction(const Points3& x, Points3& gradient, Points3& direction) const;
-  // Scalar Laplacian over the free vertices and the harmonic positions it gives to them, glued ones
-  // fixed: the minimum of sum A |F|^2.
-  Points3 harmonic(const Points3& glued) const;
 
   std::vector<TriangleStretch> stretches(const Points3& x) const;
-  // Another rest shape of the same mesh. Throws InvalidInput where a triangle turns over.
+  // Replace the rest shape. Throws InvalidInput where a triangle turns over.
   void set_rest(const Points2& flat, double tau);
   // Second derivatives along displacements of all vertices, glued ones too: per displacement w the
   // derivative of w . dE/dx by the actuated positions and, where `by_flat` is not null, by the flat
@@ -71,7 +64,7 @@ class MembraneEnergy : public Term<3> {
  private:
   struct Element {
     std::array<int, 3> vertex;
-    Eigen::Matrix2d inverse;  // of the rest edge matrix: F = (x1 - x0, x2 - x0) inverse
+    Eigen::Matrix2d inverse;  // rest edge matrix, inverted: F = (x1 - x0, x2 - x0) inverse
     double weight;            // rest area, mm2
   };
   Gradient32 deformation(const Element& element, const Points3& x) const;
@@ -82,7 +75,7 @@ class MembraneEnergy : public Term<3> {
 
   std::vector<Element> elements_;
   std::shared_ptr<const BlockPattern> pattern_;
-  double stiffness_ = 0;
+  double stiffness_ = 0;  // kappa h: half the shear modulus times the rest thickness, N / mm
   double tau_ = 1;
   MembraneMaterial material_;
 };

@@ -9,36 +9,43 @@
 namespace curveups {
 namespace {
 
-// Twice the area of a triangle in the flat layout.
-double flat_measure(const MembraneSolution& m, std::size_t t) {
-  const auto [a, b, c] = m.mesh.triangles[t];
-  const Vec2 p = m.flat.row(a), q = m.flat.row(b), r = m.flat.row(c);
-  return wedge(q - p, r - p);
+// Area of each triangle of the fine mesh in the flat layout: in proportion to that at rest.
+Eigen::VectorXd flat_areas(const MembraneSolution& m) {
+  const Points2 flat = m.fine.flat();
+  Eigen::VectorXd out(static_cast<Eigen::Index>(m.fine.mesh.triangles.size()));
+  for (Eigen::Index t = 0; t < out.size(); ++t) {
+    const auto [a, b, c] = m.fine.mesh.triangles[static_cast<std::size_t>(t)];
+    const Vec2 p = flat.row(a), q = flat.row(b), r = flat.row(c);
+    out(t) = 0.5 * wedge(q - p, r - p);
+  }
+  return out;
 }
 
 }  // namespace
 
-MembraneAreas measure_areas(const MembraneSolution& m) {
-  MembraneAreas areas;
-  areas.patch.assign(m.domain.patches.size(), 0);
-  areas.slack_patch = areas.patch;
-  for (std::size_t t = 0; t < m.mesh.triangles.size(); ++t) {
-    const double part = flat_measure(m, t);
-    areas.all += part;
-    areas.patch[m.mesh.patch[t]] += part;
-    if (m.stretch[t].tension != MembraneTension::taut) areas.wrinkled += part;
-    if (m.stretch[t].tension == MembraneTension::slack) {
-      areas.slack += part;
-      areas.slack_patch[m.mesh.patch[t]] += part;
+double wrinkled_fraction(const std::array<MembraneSolution, 2>& membranes) {
+  double all = 0, wrinkled = 0;
+  for (const MembraneSolution& m : membranes) {
+    const Eigen::VectorXd area = flat_areas(m);
+    all += area.sum();
+    for (Eigen::Index t = 0; t < area.size(); ++t) {
+      if (m.stretch[t].tension != MembraneTension::taut) wrinkled += area(t);
     }
   }
-  return areas;
+  return all > 0 ? wrinkled / all : 0.0;
 }
 
-std::vector<int> tiles_beside_slack(const MembraneSolution& m, const MembraneAreas& areas) {
+std::vector<int> tiles_beside_slack(const MembraneSolution& m) {
+  const Eigen::VectorXd area = flat_areas(m);
+  std::vector<double> all(m.domain.patches.size(), 0), slack = all;
+  for (Eigen::Index t = 0; t < area.size(); ++t) {
+    const int patch = m.fine.mesh.patch[t];
+    all[patch] += area(t);
+    if (m.stretch[t].tension == MembraneTension::slack) slack[patch] += area(t);
+  }
   std::set<int> tiles;
-  for (std::size_t p = 0; p < areas.patch.size(); ++p) {
-    if (areas.slack_patch[p] <= 0.1 * areas.patch[p]) continue;
+  for (std::size_t p = 0; p < all.size(); ++p) {
+    if (slack[p] <= 0.1 * all[p]) continue;
     for (int tile : tiles_of(m.domain.patches[p])) tiles.insert(tile);
   }
   return {tiles.begin(), tiles.end()};
@@ -48,10 +55,11 @@ double stretch_of_all_but(double share, const std::array<MembraneSolution, 2>& m
   std::vector<std::pair<double, double>> parts;  // stretch, area
   double all = 0;
   for (const MembraneSolution& m : membranes) {
-    for (std::size_t t = 0; t < m.mesh.triangles.size(); ++t) {
-      parts.emplace_back(m.stretch[t].larger, flat_measure(m, t));
-      all += parts.back().second;
+    const Eigen::VectorXd area = flat_areas(m);
+    for (Eigen::Index t = 0; t < area.size(); ++t) {
+      parts.emplace_back(m.stretch[t].larger, area(t));
     }
+    all += area.sum();
   }
   std::sort(parts.begin(), parts.end());
   double above = 0;
@@ -59,16 +67,18 @@ double stretch_of_all_but(double share, const std::array<MembraneSolution, 2>& m
     above += part->second;
     if (above > share * all) return part->first;
   }
-  return parts.empty() ? 0.0 : parts.front().first;
+  return 0;
 }
 
-GlueLoads glue_loads(const TileMesh& tiles, const Array6& q,
-                     const std::array<MembraneSolution, 2>& membranes,
-                     const Parameters& parameters) {
-  GlueLoads out;
+GlueFigures glue_figures(const TileMesh& tiles, const Array6& q,
+                         const std::array<MembraneSolution, 2>& membranes,
+                         const Parameters& parameters) {
+  GlueFigures out;
+  out.limit = parameters.glue_strength;
+  std::set<int> overloaded;
   const int count = tiles.tile_count();
   for (Side side : {Side::front, Side::back}) {
-    const MembraneSolution& m = membranes[static_cast<int>(side)];
+    const SolvedMembrane& m = membranes[static_cast<int>(side)].fine;
     const double outward = side == Side::front ? 1.0 : -1.0;
     std::vector<double> along(count, 0), off(count, 0);  // N
     for (int v = 0; v < m.mesh.vertex_count(); ++v) {
@@ -86,54 +96,21 @@ GlueLoads glue_loads(const TileMesh& tiles, const Array6& q,
       const std::array<Vec2, 3> corner = pin_corners(tiles, i, side, q.row(i).data());
       double around = 0;
       for (int t = 0; t < 3; ++t) around += (corner[next3(t)] - corner[t]).norm();
-      GlueLoad load{i, side, 0, 0, parameters.glue_strength};
-      if (area > 0) {
-        load.shear = along[i] / area;
-        load.peel = off[i] / around;
-      }
-      out[static_cast<int>(side)].push_back(load);
-    }
-  }
-  return out;
-}
-
-LargestGlueLoads largest_of(const GlueLoads& loads) {
-  LargestGlueLoads out;
-  double share = -1;  // a pin even where none carries anything: it has a limit
-  for (const std::vector<GlueLoad>& of_side : loads) {
-    for (const GlueLoad& load : of_side) {
-      if (load.shear / load.limit > share) {
-        share = load.shear / load.limit;
-        out.shear = load;
-      }
+      const GlueLoad load =
+          area > 0 ? GlueLoad{i, side, along[i] / area, off[i] / around} : GlueLoad{i, side};
+      if (out.shear.tile < 0 || load.shear > out.shear.shear) out.shear = load;
       if (load.peel > out.peel.peel) out.peel = load;
+      if (load.shear > out.limit) overloaded.insert(i);
     }
   }
+  out.overloaded.assign(overloaded.begin(), overloaded.end());
   return out;
 }
 
-std::vector<int> overloaded_tiles(const GlueLoads& loads) {
-  std::set<int> tiles;
-  for (const std::vector<GlueLoad>& of_side : loads) {
-    for (const GlueLoad& load : of_side) {
-      if (load.shear > load.limit) tiles.insert(load.tile);
-    }
-  }
-  return {tiles.begin(), tiles.end()};
-}
-
-std::array<double, 2> surplus_tension(const Parameters& parameters) {
-  std::array<double, 2> out{};
-  for (Side side : {Side::front, Side::back}) {
-    MembraneMaterial m = membrane_material(parameters, side);
-    m.constants.regularization = 0;  // nothing is slack
-    Gradient32 F = Gradient32::Zero();
-    F(0, 0) = F(1, 1) = parameters.tau;
-    const double by_stretch = m.model->evaluate(F, m.constants, false).gradient[0];
-    // Nominal stress times thickness, on an edge that is tau times as long as at rest.
-    out[static_cast<int>(side)] = 0.5 * m.shear_modulus * m.thickness * by_stretch / parameters.tau;
-  }
-  return out;
+std::array<double, 2> surplus_tension(const Parameters& p) {
+  const double stretched = 1 - std::pow(p.tau, -6);
+  return {p.shear_modulus_front * p.thickness_front * stretched,
+          p.shear_modulus_back * p.thickness_back * stretched};
 }
 
 }  // namespace curveups

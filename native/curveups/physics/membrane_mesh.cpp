@@ -17,16 +17,11 @@ namespace {
 
 constexpr double most_triangles = 5e6;  // of a membrane; 20,000 tiles have some 800,000
 
-// The size field h(r) = min(largest, at_corner + growth r) along a line from a pin corner, and how
-// many edges of that size fit into a length: I(r) = integral of dr / h, and its inverse.
+// Size field h(r) = min(largest, at_corner + growth r) along a line from a pin corner, the number
+// of edges of that size in a length, I(r) = integral of dr / h, and its inverse.
 class Grading {
  public:
-  Grading(const MembraneMeshOptions& o, int halvings)
-      : c_(std::ldexp(o.at_corner, -halvings)),
-        g_(o.growth),
-        h_(std::ldexp(o.largest, -halvings)),
-        bend_((h_ - c_) / g_) {}
-  double largest() const { return h_; }
+  explicit Grading(double largest) : h_(largest), c_(0.5 * largest), bend_((h_ - c_) / g_) {}
   double size(double r) const { return std::min(h_, c_ + g_ * r); }
   double edges(double r) const {
     const double graded = std::log1p(g_ * std::min(r, bend_) / c_) / g_;
@@ -37,7 +32,7 @@ class Grading {
     if (edges_from_corner <= graded) return std::expm1(g_ * edges_from_corner) * c_ / g_;
     return bend_ + (edges_from_corner - graded) * h_;
   }
-  // Where to put points between two pin corners at distance `length`: fractions of the length.
+  // Points between two pin corners at distance `length`, as fractions of it.
   std::vector<double> fractions(double length) const {
     const double total = 2 * edges(0.5 * length);
     const int parts = std::max(1, static_cast<int>(std::ceil(total - 0.25)));
@@ -50,37 +45,8 @@ class Grading {
   }
 
  private:
-  double c_, g_, h_, bend_;
-};
-
-// The size fields of all patches, by how often sizes are halved there.
-class Gradings {
- public:
-  Gradings(const MembraneDomain& domain, const MembraneMeshOptions& options) {
-    for (const MembranePatch& patch : domain.patches) {
-      int halvings = 0;
-      if (!options.halvings.empty()) {
-        for (int tile : tiles_of(patch)) halvings = std::max(halvings, options.halvings[tile]);
-      }
-      of_patch_.push_back(halvings);
-      while (static_cast<int>(by_halvings_.size()) <= halvings) {
-        by_halvings_.emplace_back(options, static_cast<int>(by_halvings_.size()));
-      }
-      for (std::size_t i = 0; i < patch.corners.size(); ++i) {
-        int& of_side =
-            of_side_[edge_key(patch.corners[i], patch.corners[(i + 1) % patch.corners.size()])];
-        of_side = std::max(of_side, halvings);
-      }
-    }
-  }
-  const Grading& in_patch(std::size_t patch) const { return by_halvings_[of_patch_[patch]]; }
-  // The finer one of the patches on the side between two pin corners.
-  const Grading& on_side(int a, int b) const { return by_halvings_[of_side_.at(edge_key(a, b))]; }
-
- private:
-  std::vector<Grading> by_halvings_;
-  std::vector<int> of_patch_;
-  std::unordered_map<std::uint64_t, int> of_side_;
+  static constexpr double g_ = 0.8;
+  double h_, c_, bend_;
 };
 
 // Mean-value coordinates of a point strictly inside a simple polygon.
@@ -116,7 +82,7 @@ struct SharedVertices {
 };
 
 SharedVertices make_shared_vertices(const MembraneDomain& domain, const Points2& flat,
-                                    const Gradings& gradings, MembraneMesh& mesh) {
+                                    const Grading& grading, MembraneMesh& mesh) {
   SharedVertices shared;
   shared.at_corner.assign(3 * domain.tile_count, -1);
   for (const MembranePatch& patch : domain.patches) {
@@ -135,7 +101,7 @@ SharedVertices make_shared_vertices(const MembraneDomain& domain, const Points2&
       if (!fresh) continue;
       const int low = std::min(a, b), high = std::max(a, b);
       const double length = (flat.row(low) - flat.row(high)).norm();
-      for (double t : gradings.on_side(a, b).fractions(length)) {
+      for (double t : grading.fractions(length)) {
         it->second.push_back(mesh.vertex_count());
         const bool glued = low / 3 == high / 3;
         push_vertex(mesh, {low, high}, {1 - t, t}, glued ? low / 3 : -1);
@@ -162,14 +128,12 @@ void check_patches(const MembraneDomain& domain, const Points2& flat) {
   }
 }
 
-// Work without end where the layout's lengths and those of the mesh have different units, or a tile
-// was put far away from its neighbours.
-void require_few_triangles(const MembraneDomain& domain, const Points2& flat,
-                           const Gradings& gradings, const MembraneMeshOptions& options) {
+// Refuses endless work: lengths of the layout in another unit than L, or a tile far away from its
+// neighbours.
+void require_few_triangles(const MembraneDomain& domain, const Points2& flat, double largest) {
   double triangles = 0;
-  for (std::size_t p = 0; p < domain.patches.size(); ++p) {
-    const std::vector<Vec2> points = outline(domain.patches[p], flat);
-    const double largest = gradings.in_patch(p).largest();
+  for (const MembranePatch& patch : domain.patches) {
+    const std::vector<Vec2> points = outline(patch, flat);
     double area = 0, round = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Vec2 &a = points[i], &b = points[(i + 1) % points.size()];
@@ -181,11 +145,11 @@ void require_few_triangles(const MembraneDomain& domain, const Points2& flat,
   if (triangles < most_triangles) return;
   throw InvalidInput("a membrane would need about " +
                          std::to_string(static_cast<long long>(std::min(triangles, 1e18))) +
-                         " triangles of " + std::to_string(options.largest) + " mm",
+                         " triangles of " + std::to_string(largest) + " mm",
                      "check the layout's lengths against L");
 }
 
-// One patch by itself: its boundary from the shared vertices, then the points inside.
+// Mesh of one patch: its boundary from the shared vertices, then the points inside.
 struct MeshedPatch {
   std::vector<int> boundary;  // mesh vertices
   PlanarMesh mesh;
@@ -193,18 +157,14 @@ struct MeshedPatch {
 };
 
 MeshedPatch mesh_patch(const MembranePatch& patch, const Points2& flat,
-                       const SharedVertices& shared, const MembraneMesh& mesh,
+                       const SharedVertices& shared, const Points2& positions,
                        const Grading& grading) {
   MeshedPatch out;
   const std::vector<Vec2> corners = outline(patch, flat);
   std::vector<Vec2> boundary;
   auto push = [&](int vertex) {
     out.boundary.push_back(vertex);
-    Vec2 p = Vec2::Zero();
-    for (int k = mesh.weights.start[vertex]; k < mesh.weights.start[vertex + 1]; ++k) {
-      p += mesh.weights.weight[k] * flat.row(mesh.weights.corner[k]).transpose();
-    }
-    boundary.push_back(p);
+    boundary.push_back(positions.row(vertex).transpose());
   };
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const int a = patch.corners[i], b = patch.corners[(i + 1) % corners.size()];
@@ -229,19 +189,18 @@ MeshedPatch mesh_patch(const MembranePatch& patch, const Points2& flat,
 
 }  // namespace
 
-MembraneMesh make_membrane_mesh(const MembraneDomain& domain, const Points2& flat,
-                                const MembraneMeshOptions& options, const Progress& progress) {
+MembraneMesh make_membrane_mesh(const MembraneDomain& domain, const Points2& flat, double largest,
+                                const Progress& progress) {
   check_patches(domain, flat);
-  const Gradings gradings(domain, options);
-  require_few_triangles(domain, flat, gradings, options);
+  require_few_triangles(domain, flat, largest);
+  const Grading grading(largest);
   if (!keep_going(progress, "meshing membranes")) throw Cancelled();
   MembraneMesh mesh;
-  const SharedVertices shared = make_shared_vertices(domain, flat, gradings, mesh);
+  const SharedVertices shared = make_shared_vertices(domain, flat, grading, mesh);
   std::vector<MeshedPatch> patches(domain.patches.size());
-  parallel_ranges(static_cast<int>(patches.size()), [&](int begin, int end) {
-    for (int p = begin; p < end; ++p) {
-      patches[p] = mesh_patch(domain.patches[p], flat, shared, mesh, gradings.in_patch(p));
-    }
+  const Points2 positions = vertex_positions(mesh.weights, flat);
+  parallel_for(static_cast<int>(patches.size()), [&](int p) {
+    patches[p] = mesh_patch(domain.patches[p], flat, shared, positions, grading);
   });
   for (std::size_t p = 0; p < patches.size(); ++p) {
     const MeshedPatch& patch = patches[p];
@@ -277,12 +236,12 @@ MembraneMesh refine_mesh(const MembraneMesh& mesh) {
     for (int v : {a, b}) {
       for (int k = mesh.weights.start[v]; k < mesh.weights.start[v + 1]; ++k) {
         const int corner = mesh.weights.corner[k];
-        const auto found = std::find(corners.begin(), corners.end(), corner);
-        if (found == corners.end()) {
+        const auto known = std::find(corners.begin(), corners.end(), corner);
+        if (known == corners.end()) {
           corners.push_back(corner);
           weights.push_back(0.5 * mesh.weights.weight[k]);
         } else {
-          weights[found - corners.begin()] += 0.5 * mesh.weights.weight[k];
+          weights[known - corners.begin()] += 0.5 * mesh.weights.weight[k];
         }
       }
     }

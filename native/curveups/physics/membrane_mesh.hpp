@@ -14,16 +14,6 @@
 
 namespace curveups {
 
-// Sizes are the wanted longest edges, mm: `at_corner` at pin corners, where the stress is singular,
-// growing by `growth` a mm away from them up to `largest`.
-struct MembraneMeshOptions {
-  double at_corner = 1.2;
-  double growth = 0.8;
-  double largest = 2.8;
-  // Per tile how often sizes are halved in the patches at its pin; empty: nowhere.
-  std::vector<int> halvings;
-};
-
 // Weighted pin corners of one vertex: [start[v], start[v + 1]) of corner and weight.
 struct CornerWeights {
   std::vector<int> start = {0};
@@ -41,17 +31,19 @@ struct MembraneMesh {
   int vertex_count() const { return weights.count(); }
 };
 
-// Deterministic whatever the number of threads. flat: flat_pin_corners. Throws InfeasibleDesign,
-// naming the tiles, where a patch folds over in the layout; InvalidInput for sizes that would give
+// Mesh with edges of `largest` mm at most, half of it at pin corners, where the stress is singular.
+// Does not depend on the number of threads. flat: flat_pin_corners. Throws InfeasibleDesign, naming
+// the tiles, where a patch folds over in the layout; InvalidInput for a size that would give
 // millions of triangles; Cancelled.
-MembraneMesh make_membrane_mesh(const MembraneDomain& domain, const Points2& flat,
-                                const MembraneMeshOptions& options, const Progress& progress = {});
+MembraneMesh make_membrane_mesh(const MembraneDomain& domain, const Points2& flat, double largest,
+                                const Progress& progress = {});
 
-// Every triangle into four at the midpoints of its edges: the spaces are nested. The old vertices
-// come first, the new ones follow with their parents.
+// Divide every triangle into four at the midpoints of its edges: the spaces are nested. The old
+// vertices come first, the new ones follow with their parents.
 MembraneMesh refine_mesh(const MembraneMesh& mesh);
 
-// weights times corners: flat positions (2 columns), or the actuated ones of glued vertices (3).
+// weights times corners: flat positions (2 columns) or actuated ones (3), which glued vertices have
+// and from which free ones start.
 template <class Points>
 Points vertex_positions(const CornerWeights& weights, const Points& corners) {
   Points out = Points::Zero(weights.count(), corners.cols());

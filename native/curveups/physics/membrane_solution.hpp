@@ -8,7 +8,8 @@
 #include "curveups/core/errors.hpp"
 #include "curveups/core/progress.hpp"
 #include "curveups/design/design.hpp"
-#include "curveups/physics/elastic_forces.hpp"
+#include "curveups/physics/balance_system.hpp"
+#include "curveups/physics/equilibrium.hpp"
 
 namespace curveups {
 
@@ -26,45 +27,46 @@ struct SolvedMembrane {
   Points2 flat_corners;      // 3 M pin corners in the layout ...
   Points3 actuated_corners;  // ... and in space
   MembraneState state;
-};
 
-// Moves its pins in space; free vertices go along with the pins around them, then find their
-// equilibrium. equilibrium: of its mesh and rest shape. Returns whether they found it.
-bool move_pins(SolvedMembrane& membrane, MembraneEquilibrium& equilibrium,
-               const Points3& actuated_corners, const Progress& progress = {});
+  Points2 flat() const { return vertex_positions(mesh.weights, flat_corners); }
+};
 
 struct MembraneSolution {
   MembraneDomain domain;
-  SolvedMembrane coarse;
-  MembraneMesh mesh;                     // the fine one
-  Points2 flat;                          // of its vertices
-  Points3 pin_corners;                   // actuated, 3 M x 3
-  MembraneState state;                   // on the fine mesh
-  Points3 forces;                        // at pin corners, 3 M x 3, N
-  Points3 coarse_forces;                 // the same from the coarse mesh
-  std::vector<TriangleStretch> stretch;  // per triangle of `mesh`
-  int free_vertices = 0;                 // of `mesh`
+  SolvedMembrane coarse, fine;
+  std::vector<TriangleStretch> stretch;  // per triangle of the fine mesh
 };
+
+// Wrenches of a membrane on the tiles (paper, A.1). centres: tile_centres.
+Wrenches membrane_wrenches(const MembraneMesh& mesh, const MembraneState& state,
+                           const Points3& centres);
+
+// Wrenches extrapolated from both meshes.
+Wrenches extrapolated_wrenches(const MembraneSolution& membrane, const Points3& centres);
 
 // Error of a side's membrane whose equilibrium was not found.
 SolverFailure no_equilibrium(Side side);
-MembraneMeshOptions membrane_mesh_options(const Parameters& parameters);
+// Largest edges of the coarser mesh, mm.
+double membrane_mesh_size(const Parameters& parameters);
 MembraneMaterial membrane_material(const Parameters& parameters, Side side);
-// Equilibrium problem of one side's membrane on its mesh. flat: the mesh's vertices in the layout.
-MembraneEquilibrium membrane_equilibrium(const MembraneMesh& mesh, const Points2& flat,
+// Equilibrium problem of one side's membrane on its mesh.
+MembraneEquilibrium membrane_equilibrium(const SolvedMembrane& membrane,
                                          const Parameters& parameters, Side side);
 
-// Front and back, at once where there are threads; calls of progress come one at a time.
-// halvings: as MembraneMeshOptions have it. Throws what make_membrane_mesh throws, and Cancelled.
+// Solve front and back, at once where there are threads; calls of progress come one at a time.
+// Throws what make_membrane_mesh throws, and Cancelled.
 std::array<MembraneSolution, 2> solve_membranes(const DesignGeometry& geometry,
                                                 const FlatPoses& poses, const Array6& q,
                                                 const Parameters& parameters,
-                                                const Progress& progress,
-                                                const std::vector<int>& halvings = {});
+                                                const Progress& progress);
 
-// Both meshes follow pins that are elsewhere in space (where tiles have settled), each from where
-// it was; pin_corners, states, forces and stretches are then those of the new places. corners: as
-// MembraneSolution::pin_corners. Returns whether both found their equilibrium.
+// Move pins in space: free vertices go along with the pins around them, then find their
+// equilibrium. equilibrium: of the membrane's mesh and rest shape. Returns whether it was found.
+bool move_pins(SolvedMembrane& membrane, MembraneEquilibrium& equilibrium,
+               const Points3& actuated_corners, const Progress& progress = {});
+
+// Move the pins of both meshes, from where they are; states and stretches follow. corners: 3 M x 3.
+// Returns whether both equilibria were found.
 bool move_pins(MembraneSolution& solution, const Points3& corners, const Parameters& parameters);
 
 }  // namespace curveups

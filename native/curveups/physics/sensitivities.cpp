@@ -86,14 +86,14 @@ void add_side(const DesignForces& forces, Side side, const CornerGradient& corne
   }
 }
 
-// Derivatives by all that vertices change: pin corners, contact points and their normals.
+// Derivatives by everything that vertices change: pin corners, contact points and their normals.
 struct PlaceGradient {
   std::array<CornerGradient, 2> pins;
   Points3 point, normal;
 };
 
-// Work of forces as points move with the turns of the tiles on either side of them: its derivative
-// by the points' places, subtracted from `by_point`. forces: world, one row per point.
+// Subtract from `by_point` the derivative by the points' places of the work of forces as the tiles
+// on either side turn. forces: world, one row per point.
 void subtract_work(const BalanceSystem& system, const Points3& forces, const Array6& motion,
                    Points3& by_point) {
   for (int p = 0; p < system.point_count(); ++p) {
@@ -116,86 +116,6 @@ Points3 in_world(const BalanceSystem& system, const double* forces) {
   return out;
 }
 
-// What one vertex moves of all that, and by how much.
-class VertexPlaces {
- public:
-  VertexPlaces(const DesignForces& forces, const VertexPatch& patch,
-               const std::vector<int>& first_point)
-      : forces_(forces), patch_(patch) {
-    const LocalGeometry here = local_geometry(patch, patch.mesh.V.row(patch.moving));
-    for (std::size_t k = 0; k < patch.contacts.size(); ++k) {
-      const int contact = patch.contacts[k];
-      if (contact < 0) continue;
-      const int first = first_point[contact], count = first_point[contact + 1] - first;
-      // Otherwise at a kink, where a point comes or goes.
-      if (here.patches[k].point_count == count)
-        contacts_.push_back({static_cast<int>(k), first, count});
-    }
-    by_vertex_ = derivatives_by_vertex(patch, [&](const LocalGeometry& g) { return places(g); });
-  }
-
-  Vec3 contract(const PlaceGradient& gradient) const {
-    Eigen::VectorXd weights(by_vertex_.rows());
-    int at = 0;
-    for (int k : patch_.changed) {
-      for (Side side : sides) {
-        const CornerGradient& pins = gradient.pins[static_cast<int>(side)];
-        for (int t = 0; t < 3; ++t) {
-          const int c = pin_corner_index(patch_.tiles[k], t);
-          weights.segment<2>(at) = pins.flat.row(c).transpose();
-          weights.segment<3>(at + 2) = pins.actuated.row(c).transpose();
-          at += 5;
-        }
-      }
-    }
-    for (const Points& contact : contacts_) {
-      Vec3 normal = Vec3::Zero();
-      for (int l = 0; l < contact.count; ++l) {
-        weights.segment<3>(at) = gradient.point.row(contact.first + l).transpose();
-        normal += gradient.normal.row(contact.first + l).transpose();
-        at += 3;
-      }
-      weights.segment<3>(at) = normal;
-      at += 3;
-    }
-    return by_vertex_.transpose() * weights;
-  }
-
- private:
-  struct Points {
-    int patch, first, count;
-  };
-  static constexpr std::array<Side, 2> sides = {Side::front, Side::back};
-
-  Eigen::VectorXd places(const LocalGeometry& local) const {
-    const double H_pin = forces_.parameters().H_pin;
-    std::vector<double> out;
-    auto add = [&](const auto& p) { out.insert(out.end(), p.data(), p.data() + p.size()); };
-    for (int k : patch_.changed) {
-      const int tile = patch_.tiles[k];
-      const Vec2 origin = forces_.poses().row(tile).head<2>();
-      const PlaneRotation turn(forces_.poses()(tile, 2));
-      for (Side side : sides) {
-        const double level = pin_top_level(local.tiles, side, H_pin);
-        for (const Vec2& p : pin_corners(local.tiles, k, side, forces_.insets().row(tile).data())) {
-          add(Vec2(origin + turn * p));
-          add(local.tiles.frame[k](Vec3(p.x(), p.y(), level)));
-        }
-      }
-    }
-    for (const Points& contact : contacts_) {
-      for (int l = 0; l < contact.count; ++l) add(local.patches[contact.patch].point[l]);
-      add(local.patches[contact.patch].normal);
-    }
-    return Eigen::Map<const Eigen::VectorXd>(out.data(), static_cast<Eigen::Index>(out.size()));
-  }
-
-  const DesignForces& forces_;
-  const VertexPatch& patch_;
-  std::vector<Points> contacts_;
-  Eigen::MatrixXd by_vertex_;
-};
-
 // First point of each contact, with one more at the end.
 std::vector<int> first_points(const BalanceSystem& system, std::size_t contacts) {
   std::vector<int> first(contacts + 1, 0);
@@ -204,22 +124,80 @@ std::vector<int> first_points(const BalanceSystem& system, std::size_t contacts)
   return first;
 }
 
-void add_vertices(const DesignForces& forces, const std::vector<PlaceGradient>& places,
+// Interface of a patch with its points among those of the balance.
+struct PatchContact {
+  int patch, first, count;
+};
+
+// Places of pins, points and normals around a vertex, weighted by the derivatives of each function
+// by them.
+Eigen::VectorXd weighted_places(const DesignForces& forces, const VertexPatch& patch,
+                                const std::vector<PatchContact>& contacts,
+                                const std::vector<PlaceGradient>& gradients,
+                                const LocalGeometry& local) {
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(gradients.size()));
+  const auto add = [&](const auto& term) {
+    for (std::size_t f = 0; f < gradients.size(); ++f) {
+      out(static_cast<Eigen::Index>(f)) += term(gradients[f]);
+    }
+  };
+  for (int k : patch.changed) {
+    const int tile = patch.tiles[k];
+    const Vec2 origin = forces.poses().row(tile).head<2>();
+    const PlaneRotation turn(forces.poses()(tile, 2));
+    for (int s : {0, 1}) {
+      const Side side = static_cast<Side>(s);
+      const double level = pin_top_level(local.tiles, side, forces.parameters().H_pin);
+      const std::array<Vec2, 3> pin =
+          pin_corners(local.tiles, k, side, forces.insets().row(tile).data());
+      for (int t = 0; t < 3; ++t) {
+        const int c = pin_corner_index(tile, t);
+        const Vec2 flat = origin + turn * pin[t];
+        const Vec3 actuated = local.tiles.frame[k](Vec3(pin[t].x(), pin[t].y(), level));
+        add([&](const PlaceGradient& g) {
+          return g.pins[s].flat.row(c).dot(flat) + g.pins[s].actuated.row(c).dot(actuated);
+        });
+      }
+    }
+  }
+  for (const PatchContact& contact : contacts) {
+    const ContactPatch& interface = local.patches[contact.patch];
+    for (int l = 0; l < contact.count; ++l) {
+      const int p = contact.first + l;
+      add([&](const PlaceGradient& g) {
+        return g.point.row(p).dot(interface.point[l]) + g.normal.row(p).dot(interface.normal);
+      });
+    }
+  }
+  return out;
+}
+
+void add_vertices(const DesignForces& forces, const std::vector<PlaceGradient>& gradients,
                   const std::vector<VertexPatch>& vertices, std::vector<ForceGradient>& out) {
   const std::vector<int> first =
       first_points(forces.system(), forces.geometry().tiles.contacts.size());
-  parallel_ranges(static_cast<int>(vertices.size()), [&](int begin, int end) {
-    for (int v = begin; v < end; ++v) {
-      const VertexPlaces moved(forces, vertices[v], first);
-      for (std::size_t k = 0; k < places.size(); ++k) {
-        out[k].by_vertex.row(v) = moved.contract(places[k]).transpose();
+  parallel_for(static_cast<int>(vertices.size()), [&](int v) {
+    const VertexPatch& patch = vertices[v];
+    const LocalGeometry here = local_geometry(patch, patch.mesh.V.row(patch.moving));
+    std::vector<PatchContact> contacts;
+    for (std::size_t k = 0; k < patch.contacts.size(); ++k) {
+      const int contact = patch.contacts[k];
+      if (contact < 0) continue;
+      const int count = first[contact + 1] - first[contact];
+      // Otherwise at a kink, where a point comes or goes.
+      if (here.patches[k].point_count == count) {
+        contacts.push_back({static_cast<int>(k), first[contact], count});
       }
     }
+    const Eigen::MatrixXd by_vertex = derivatives_by_vertex(patch, [&](const LocalGeometry& local) {
+      return weighted_places(forces, patch, contacts, gradients, local);
+    });
+    for (std::size_t f = 0; f < gradients.size(); ++f) out[f].by_vertex.row(v) = by_vertex.row(f);
   });
 }
 
-// Derivatives of functions whose share by loads is -motion . db, and by contact points and normals
-// what `places` holds; places is empty where no vertices are asked for.
+// Derivatives of functions that follow loads by -motion . db, and contact points and normals by
+// `places`, which is empty without vertices.
 std::vector<ForceGradient> gradients_of(const DesignForces& forces,
                                         const std::vector<Array6>& motions,
                                         std::vector<PlaceGradient> places,
@@ -236,16 +214,15 @@ std::vector<ForceGradient> gradients_of(const DesignForces& forces,
     const std::vector<Array6> some(motions.begin() + first,
                                    motions.begin() + std::min(count, first + batch));
     std::array<std::vector<CornerGradient>, 2> corners;
-    auto solve = [&](Side side) {
-      corners[static_cast<int>(side)] = corner_gradients(
-          forces.membrane(side), forces.equilibrium(side), system.centres(), system.lever(), some);
-    };
-    parallel_tasks({[&] { solve(Side::front); }, [&] { solve(Side::back); }});
+    parallel_each(2, [&](int s) {
+      const Side side = static_cast<Side>(s);
+      corners[s] = corner_gradients(forces.membrane(side), forces.equilibrium(side),
+                                    system.centres(), system.lever(), some);
+    });
     for (std::size_t k = 0; k < some.size(); ++k) {
-      for (Side side : {Side::front, Side::back}) {
-        CornerGradient& corner = corners[static_cast<int>(side)][k];
-        add_side(forces, side, corner, out[first + k]);
-        if (!places.empty()) places[first + k].pins[static_cast<int>(side)] = std::move(corner);
+      for (int s : {0, 1}) {
+        add_side(forces, static_cast<Side>(s), corners[s][k], out[first + k]);
+        if (!places.empty()) places[first + k].pins[s] = std::move(corners[s][k]);
       }
     }
   }

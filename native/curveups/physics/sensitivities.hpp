@@ -7,7 +7,7 @@
 // n_p, z = (A A^T)^-1 A G and G' = G - A^T z, which A maps to zero,
 //   d phi = f . dG - z^T db - z^T dA f - y^T dA G'.
 // A f acts on a tile by f_p and the torque of f_p about the tile's centre, so that z^T A f is the
-// work of f as the tiles move by z: dA only asks for the turns of the tiles on either side of a
+// work of f as the tiles move by z: dA only needs the turns of the tiles on either side of a
 // point. Likewise z^T b is the work of the membranes' pull on the pins: with u that motion of the
 // glued vertices, w = [u; -E_ff^-1 E_fg u] and E(x, X) the elastic energy,
 //   d(z^T b) = -w^T (E_xx dx + E_xX dX) - E_x . du.
@@ -28,7 +28,7 @@ namespace curveups {
 struct ForceGradient {
   Array3 by_pose;     // M x 3, by FlatPoses
   Array6 by_inset;    // M x 6
-  Points3 by_vertex;  // one row per vertex asked for: by its actuated position, FlatPoses held
+  Points3 by_vertex;  // a row per given vertex: by its actuated position, FlatPoses fixed
 };
 
 // functions: one column per function, one row per contact point of forces.system(): the weights g

@@ -4,25 +4,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "curveups/core/errors.hpp"
-
 namespace curveups {
 namespace {
 
-// How often the mesh is refined around undecided points.
-constexpr int most_halvings = 2;
-
-Wrenches sum_wrenches(const std::array<MembraneSolution, 2>& membranes, const Points3& centres,
-                      Points3 MembraneSolution::*forces) {
-  Wrenches wrenches = Wrenches::Zero(centres.rows(), 6);
-  for (const MembraneSolution& side : membranes) {
-    add_wrenches(side.*forces, side.pin_corners, centres, wrenches);
-  }
-  return wrenches;
-}
-
-// Half of what the extrapolation changes: on the designs it was compared with finer meshes on, the
-// extrapolated normal forces were within a fifth of it. Returns the error of each point, N.
+// Error of each point's normal force, N: half of the change by extrapolation. Extrapolated forces
+// were within a fifth of it where they were compared with those on finer meshes.
 Eigen::ArrayXd estimate_error(const Points3& fine_forces, SolvedDesign& solved) {
   const ContactForces& forces = solved.forces;
   const Eigen::ArrayXd force = forces.force.col(0).array();
@@ -34,64 +20,19 @@ Eigen::ArrayXd estimate_error(const Points3& fine_forces, SolvedDesign& solved) 
   return error;
 }
 
-// Points that exceed f_min by less than their error, where all push as hard as is asked for. f_min
-// itself may be larger than that by the error.
-std::vector<int> undecided_points(const SolvedDesign& solved, const Eigen::ArrayXd& error) {
-  std::vector<int> out;
-  const double asked = solved.design.parameters.f_min_ratio * solved.forces.normal_mean,
+// SolvedDesign::undecided. points: those of the forces.
+std::vector<std::array<int, 2>> undecided_contacts(const SolvedDesign& solved,
+                                                   const Eigen::ArrayXd& error,
+                                                   const std::vector<ContactPoint>& points) {
+  std::vector<std::array<int, 2>> out;
+  const double least = solved.design.parameters.f_min_ratio * solved.forces.normal_mean,
                f_min = solved.f_min_ratio * solved.forces.normal_mean;
-  if (error.size() == 0 || solved.forces.normal_min < asked) return out;
+  if (error.size() == 0 || solved.forces.normal_min < least) return out;
   for (int p = 0; p < error.size(); ++p) {
-    if (solved.forces.force(p, 0) - error(p) < f_min) out.push_back(p);
+    if (solved.forces.force(p, 0) - error(p) >= f_min) continue;
+    if (out.empty() || out.back() != points[p].tile) out.push_back(points[p].tile);
   }
   return out;
-}
-
-// The tiles of these contacts and all that touch them: the membranes around these decide on most of
-// a point's force.
-std::vector<int> tiles_around(const TileMesh& tiles, const std::vector<std::array<int, 2>>& pairs) {
-  std::vector<char> at(tiles.tile_count(), 0), around = at;
-  for (const std::array<int, 2>& pair : pairs) at[pair[0]] = at[pair[1]] = 1;
-  for (const Contact& contact : tiles.contacts) {
-    const auto [a, b] = contact.tile;
-    if (at[a] || at[b]) around[a] = around[b] = 1;
-  }
-  std::vector<int> out;
-  for (int i = 0; i < tiles.tile_count(); ++i) {
-    if (around[i]) out.push_back(i);
-  }
-  return out;
-}
-
-SolvedDesign solve_on_mesh(const DesignGeometry& geometry, const Design& design,
-                           const Progress& progress, const std::vector<int>& halvings) {
-  const Parameters& parameters = design.parameters;
-  SolvedDesign solved;
-  solved.design = design;
-  solved.halvings = halvings;
-  const FlatPoses poses = fit_poses(geometry.tiles, design.T);
-  solved.membranes = solve_membranes(geometry, poses, design.q, parameters, progress, halvings);
-  const Points3 centres = tile_centres(geometry.tiles);
-  const Wrenches fine = sum_wrenches(solved.membranes, centres, &MembraneSolution::forces);
-  solved.elastic = extrapolate<Wrenches>(
-      fine, sum_wrenches(solved.membranes, centres, &MembraneSolution::coarse_forces));
-  const Wrenches weight = weights(geometry, poses, design.q, parameters);
-  solved.carried = carry(geometry, weight, parameters);
-  const Wrenches others = weight + solved.carried.table;
-  solved.loads = solved.elastic + others;
-  BalanceSystem system = make_balance_system(geometry, parameters);
-  solved.forces = solve_contact_forces(system, solved.loads);
-  const Eigen::ArrayXd error =
-      estimate_error(solve_contact_forces(system, fine + others).force, solved);
-  solved.f_min_ratio =
-      std::max({parameters.f_min_ratio, solved.normal_force_error, solved.least_force_error});
-  for (int point : undecided_points(solved, error)) {
-    const std::array<int, 2>& pair = system.points()[point].tile;
-    if (solved.undecided.empty() || solved.undecided.back() != pair) {
-      solved.undecided.push_back(pair);
-    }
-  }
-  return solved;
 }
 
 }  // namespace
@@ -125,17 +66,29 @@ BalanceSystem make_balance_system(const DesignGeometry& geometry, const Paramete
 
 SolvedDesign solve_design(const DesignGeometry& geometry, const Design& design,
                           const Progress& progress) {
-  SolvedDesign solved = solve_on_mesh(geometry, design, progress, {});
-  for (int round = 0; round < most_halvings && !solved.undecided.empty(); ++round) {
-    std::vector<int> halvings = solved.halvings;
-    halvings.resize(geometry.tiles.tile_count(), 0);
-    for (int tile : tiles_around(geometry.tiles, solved.undecided)) ++halvings[tile];
-    try {
-      solved = solve_on_mesh(geometry, design, progress, halvings);
-    } catch (const InvalidInput&) {  // too many triangles: it stays undecided
-      break;
-    }
+  const Parameters& parameters = design.parameters;
+  SolvedDesign solved;
+  solved.design = design;
+  solved.membranes = solve_membranes(geometry, fit_poses(geometry.tiles, design.T), design.q,
+                                     parameters, progress);
+  const Points3 centres = tile_centres(geometry.tiles);
+  Wrenches fine = Wrenches::Zero(centres.rows(), 6);
+  solved.elastic = fine;
+  for (const MembraneSolution& m : solved.membranes) {
+    fine += membrane_wrenches(m.fine.mesh, m.fine.state, centres);
+    solved.elastic += extrapolated_wrenches(m, centres);
   }
+  const Wrenches weight = weights(geometry, design.q, parameters);
+  solved.carried = carry(geometry, weight, parameters);
+  const Wrenches others = weight + solved.carried.table;
+  solved.loads = solved.elastic + others;
+  BalanceSystem system = make_balance_system(geometry, parameters);
+  solved.forces = solve_contact_forces(system, solved.loads);
+  const Eigen::ArrayXd error =
+      estimate_error(solve_contact_forces(system, fine + others).force, solved);
+  solved.f_min_ratio =
+      std::max({parameters.f_min_ratio, solved.normal_force_error, solved.least_force_error});
+  solved.undecided = undecided_contacts(solved, error, system.points());
   return solved;
 }
 

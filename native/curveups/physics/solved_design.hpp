@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Membranes of a design at their equilibrium with the contact forces that follow: what verification
-// reports on and repair starts from.
+// Membranes of a design at their equilibrium with the contact forces that follow. Verification
+// reports on them, and repair starts from them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <vector>
@@ -16,7 +17,7 @@
 namespace curveups {
 
 struct SolvedDesign {
-  Design design;                              // that all of this belongs to
+  Design design;
   std::array<MembraneSolution, 2> membranes;  // front, back
   Wrenches elastic;      // of the membranes on the tiles, extrapolated from both meshes
   Carried carried;       // where the weight goes
@@ -25,30 +26,30 @@ struct SolvedDesign {
   // Estimated error of normal forces by the mesh, relative to their mean: mean over the points,
   // largest, and of the least normal force.
   double normal_force_error = 0, largest_normal_force_error = 0, least_force_error = 0;
-  // Contacts with a point of which the mesh does not tell whether it reaches f_min, ascending, and
-  // how often the mesh was halved around each tile for such points (empty: nowhere).
+  // Contacts with a point that exceeds f_min by less than its error, ascending; none where a point
+  // is below the parameter f_min_ratio.
   std::vector<std::array<int, 2>> undecided;
-  std::vector<int> halvings;
-  double f_min_ratio = 0;  // f_min over the mean normal force: as asked, or the error where larger
+  double f_min_ratio =
+      0;  // f_min over the mean normal force: the parameter, or the error if larger
+
+  double f_min() const { return f_min_ratio * std::max(0.0, forces.normal_mean); }  // N
 };
 
 // Solved once, and read by verification, repair and settling alike.
 using SolvedHandle = std::shared_ptr<const SolvedDesign>;
 
-// How much the least of the forces may be overestimated where each is uncertain by its own error:
-// min n - min (n - error). A least force of this size at least leaves every point pushing within
-// its error, which the mean of the errors does not. Same sizes; 0 without forces.
+// Overestimate of the least force where each force has its own error: min n - min (n - error).
+// A least force of this size leaves every point pushing within its error, which the mean of the
+// errors does not. Same sizes; 0 without forces.
 double error_of_least(const Eigen::ArrayXd& force, const Eigen::ArrayXd& error);
 
-// Where all points push as hard as f_min_ratio asks for, but some exceed f_min by less than their
-// error, the membranes are solved again on a mesh of half the size around the tiles of these
-// contacts and their neighbours, at most twice. geometry: make_geometry's of the design. Throws
-// what solve_membranes and solve_contact_forces throw, Cancelled.
+// geometry: make_geometry's of the design. Throws what solve_membranes and solve_contact_forces
+// throw, Cancelled.
 SolvedDesign solve_design(const DesignGeometry& geometry, const Design& design,
                           const Progress& progress);
 
-// The corners of the interfaces at which the tiles of a design hold one another. Contacts between
-// two held tiles are left out: the hand that holds the tiles provides their forces.
+// Corners of the interfaces of a design. Contacts between two held tiles are left out: the hand
+// that holds the tiles provides their forces.
 std::vector<ContactPoint> contact_corners(const DesignGeometry& geometry,
                                           const Parameters& parameters);
 // The balance of a design's tiles at these contact points, not factorized yet.

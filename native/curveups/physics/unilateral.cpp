@@ -41,6 +41,18 @@ Points3 derivative_by_normals(const BalanceSystem& system, double mu, const Poin
 
 }  // namespace
 
+std::vector<std::array<int, 2>> critical_contacts(const UnilateralResult& result,
+                                                  const BalanceSystem& system) {
+  std::vector<std::array<int, 2>> pairs;
+  for (int point : result.critical_points) {
+    const std::array<int, 2>& pair = system.points()[point].tile;
+    if (std::find(pairs.begin(), pairs.end(), pair) != pairs.end()) continue;
+    pairs.push_back(pair);
+    if (pairs.size() == 4) break;
+  }
+  return pairs;
+}
+
 UnilateralResult solve_unilateral(BalanceSystem& system, const Wrenches& loads,
                                   const Points3& start, const UnilateralOptions& options,
                                   const Progress& progress) {
@@ -65,7 +77,7 @@ UnilateralResult solve_unilateral(BalanceSystem& system, const Wrenches& loads,
         solve_cone_program(system, b, from, {mu, relaxed, options.tolerance}, progress);
     result.solve.iterations += outcome.solve.iterations;
     if (!outcome.solve.converged()) continue;
-    // Certify: the forces themselves, not the solver's word.
+    // Certify the forces themselves.
     double floor = 1, slip = 0;
     for (int p = 0; p < count; ++p) {
       const Vec3 f = outcome.force.segment<3>(3 * p);

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Contacts that push only and slide beyond Coulomb's cone: is there any balanced set of forces, and
-// with which least normal force at every point? A second-order cone program over the tiles'
-// balance:
+// Contacts that only push, within Coulomb's cones: largest least normal force of all forces in
+// balance. A second-order cone program:
 //   maximise s  subject to  A f + b = 0,  n >= s,  |t| <= mu n,  s <= cap,
 // at every point (cone_program.hpp).
 //
-// Infeasibility is never inferred from divergence: if the program above is not solved, the relaxed
-// one with |t| <= mu (n - s) in place of |t| <= mu n is, which always has a solution (s negative: a
-// pull of -s that each point would have to bear); its optimum decides, with a duality gap that is
-// checked. A feasible answer is certified by the forces themselves: their balance and cones are
-// checked again before they are reported.
+// Infeasibility is never inferred from divergence. If the program is not solved, the relaxed one
+// with |t| <= mu (n - s) in place of |t| <= mu n decides, which always has a solution (s negative:
+// a pull of -s that each point would have to bear). The forces certify a feasible answer: their
+// balance and cones are checked before they are reported.
 #pragma once
 
 #include "curveups/core/progress.hpp"
@@ -33,13 +31,17 @@ struct UnilateralResult {
   // best); the cap where more is possible. Negative where infeasible.
   double largest_floor = 0;
   Points3 force;  // per point in its basis, N, with that floor
-  // Points that hold the floor down, by falling weight in the optimum (dual solution), at most 20.
+  // Points whose constraints are active, by falling weight in the dual solution, at most 20.
   std::vector<int> critical_points;
-  // How the largest floor follows small changes of loads b, balance A and normals n (envelope
+  // Change of the largest floor with small changes of loads b, balance A and normals n (envelope
   // theorem; multipliers of the optimum): -motion . (db + dA f) + sum_p by_normal_p . dn_p, N.
   Array6 motion;      // virtual motion of the tiles (BalanceSystem::expand)
   Points3 by_normal;  // per point, N
 };
+
+// Tiles of the critical points, each pair once, by falling weight; at most four.
+std::vector<std::array<int, 2>> critical_contacts(const UnilateralResult& result,
+                                                  const BalanceSystem& system);
 
 // start: the least-squares forces of the same system. Leaves the system's factorization changed.
 // Throws Cancelled.

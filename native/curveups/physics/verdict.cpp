@@ -7,19 +7,6 @@
 namespace curveups {
 namespace {
 
-// The contacts of the heaviest points of a unilateral solution, each once.
-std::vector<std::array<int, 2>> critical_contacts(const UnilateralResult& result,
-                                                  const BalanceSystem& system) {
-  std::vector<std::array<int, 2>> pairs;
-  for (int point : result.critical_points) {
-    const std::array<int, 2>& pair = system.points()[point].tile;
-    if (std::find(pairs.begin(), pairs.end(), pair) != pairs.end()) continue;
-    pairs.push_back(pair);
-    if (pairs.size() == 4) break;
-  }
-  return pairs;
-}
-
 void judge_least_squares(const VerdictInput& in, VerificationReport& report) {
   const SolvedDesign& solved = in.solved;
   const ContactFigures& f = report.contact_forces;
@@ -39,15 +26,16 @@ void judge_least_squares(const VerdictInput& in, VerificationReport& report) {
   if (!unbalanced.empty()) {
     report.reasons.push_back({"unbalanced", unbalanced, {{"held", unbalanced}}});
   }
-  auto say = [&](const char* kind, const std::vector<int>& pieces) {
-    for (int tile : pieces) {
+  auto add_pieces = [&](const char* kind, const std::vector<int>& first_tiles) {
+    for (int tile : first_tiles) {
       const std::vector<int> piece = {tile};
       report.reasons.push_back({kind, piece, {{"tile", piece}}});
     }
   };
   const Parameters& parameters = solved.design.parameters;
-  say(parameters.gravity == "held" ? "in_the_air.held" : "in_the_air", solved.carried.in_the_air);
-  say("tips_over", solved.carried.tipping);
+  add_pieces(parameters.gravity == "held" ? "in_the_air.held" : "in_the_air",
+             solved.carried.in_the_air);
+  add_pieces("tips_over", solved.carried.tipping);
   if (solved.f_min_ratio > parameters.f_min_ratio) report.warnings.push_back({"coarse_mesh"});
   if (!solved.undecided.empty() && f.points_below_f_min == 0) {
     report.warnings.push_back({"undecided",
@@ -63,24 +51,24 @@ void judge_unilateral(const VerdictInput& in, VerificationReport& report) {
         {"least_force.tips", {}, {{"mu", u.friction_coefficient}, {"f_min", u.floor}}});
   }
   if (u.feasible) return;
-  Finding found = {"least_force"};
-  if (u.status == SolveStatus::infeasible) found.kind = "no_balance";
-  if (u.status == SolveStatus::unfinished) found.kind = "balance_unknown";
+  Finding reason = {"least_force"};
+  if (u.status == SolveStatus::infeasible) reason.kind = "no_balance";
+  if (u.status == SolveStatus::unfinished) reason.kind = "balance_unknown";
   std::vector<Finding> more;
   if (u.status == SolveStatus::infeasible && u.sliding_play) {
     more.push_back({"dimples_stop", {}, {{"play", *u.sliding_play}}});
   }
   const Finding::Pairs contacts = critical_contacts(in.unilateral, in.system);
-  if (u.status != SolveStatus::unfinished) found.tiles = tiles_of(contacts);
-  found.figures = {{"mu", u.friction_coefficient}, {"least", u.largest_floor},
-                   {"pull", -u.largest_floor},     {"f_min", u.floor},
-                   {"contacts", contacts},         {"more", std::move(more)}};
-  report.reasons.push_back(std::move(found));
+  if (u.status != SolveStatus::unfinished) reason.tiles = tiles_of(contacts);
+  reason.figures = {{"mu", u.friction_coefficient}, {"least", u.largest_floor},
+                    {"pull", -u.largest_floor},     {"f_min", u.floor},
+                    {"contacts", contacts},         {"more", std::move(more)}};
+  report.reasons.push_back(std::move(reason));
 }
 
 const char* name_of(Side side) { return side == Side::front ? "front" : "back"; }
 
-// Warnings about what the makers of sheets and glue promise. The verdict does not depend on them.
+// Warnings where sheets or glue exceed their makers' limits. The verdict does not depend on them.
 void judge_materials(const Parameters& parameters, VerificationReport& report) {
   const double elongation = 100 * (report.physics.stretch_99 - 1);
   if (elongation > parameters.elongation_at_break) {
@@ -89,15 +77,15 @@ void judge_materials(const Parameters& parameters, VerificationReport& report) {
          {},
          {{"elongation", elongation}, {"limit", parameters.elongation_at_break}}});
   }
-  if (report.overloaded_tiles.empty()) return;
-  const GlueLoad& load = report.glue.shear;
+  const GlueFigures& glue = report.glue;
+  if (glue.overloaded.empty()) return;
   report.warnings.push_back({"glue_shear",
-                             report.overloaded_tiles,
-                             {{"side", name_of(load.side)},
-                              {"tile", std::vector<int>{load.tile}},
-                              {"shear", load.shear},
-                              {"limit", load.limit},
-                              {"overloaded", report.overloaded_tiles}}});
+                             glue.overloaded,
+                             {{"side", name_of(glue.shear.side)},
+                              {"tile", std::vector<int>{glue.shear.tile}},
+                              {"shear", glue.shear.shear},
+                              {"limit", glue.limit},
+                              {"overloaded", glue.overloaded}}});
 }
 
 void judge_membranes(const VerdictInput& in, VerificationReport& report) {
@@ -111,16 +99,16 @@ void judge_membranes(const VerdictInput& in, VerificationReport& report) {
   for (Side side : {Side::front, Side::back}) {
     const int s = static_cast<int>(side);
     const MembraneClearance& c = in.clearance[s];
-    const std::vector<int> tile = {c.tile};
     if (!is_clear(c.distance)) {
       report.reasons.push_back(cut_by_membrane(side, c.tile, -c.distance));
     } else if (c.distance < safe_clearance) {
-      report.warnings.push_back(
-          {"membrane.touches",
-           tile,
-           {{"side", name_of(side)}, {"tile", tile}, {"clearance", c.distance}}});
+      report.warnings.push_back({"membrane.touches",
+                                 {c.tile},
+                                 {{"side", name_of(side)},
+                                  {"tile", std::vector<int>{c.tile}},
+                                  {"clearance", c.distance}}});
     }
-    const std::vector<int>& slack = in.slack_tiles[s];
+    const std::vector<int> slack = tiles_beside_slack(in.solved.membranes[s]);
     if (!slack.empty()) {
       report.warnings.push_back(
           {"membrane.slack", slack, {{"side", name_of(side)}, {"beside", slack}}});

@@ -9,69 +9,54 @@
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 #include "curveups/design/flat_rim.hpp"
-#include "curveups/physics/membrane_figures.hpp"
 #include "curveups/physics/verdict.hpp"
 
 namespace curveups {
 namespace {
 
-using Membranes = std::array<MembraneSolution, 2>;
-
 MembranePicture picture_of(const MembraneSolution& m) {
-  MembranePicture picture{m.flat, m.state.x, {}, {}, {}};
-  picture.triangles.resize(m.mesh.triangles.size(), 3);
-  picture.stretch.resize(m.mesh.triangles.size(), 2);
-  for (std::size_t t = 0; t < m.mesh.triangles.size(); ++t) {
-    const auto [a, b, c] = m.mesh.triangles[t];
-    picture.triangles.row(t) << a, b, c;
+  const std::vector<std::array<int, 3>>& triangles = m.fine.mesh.triangles;
+  MembranePicture picture{m.fine.flat(), m.fine.state.x, {}, {}, {}};
+  picture.triangles.resize(triangles.size(), 3);
+  picture.stretch.resize(triangles.size(), 2);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    picture.triangles.row(t) << triangles[t][0], triangles[t][1], triangles[t][2];
     picture.stretch.row(t) << m.stretch[t].larger, m.stretch[t].smaller;
     picture.tension.push_back(static_cast<int>(m.stretch[t].tension));
   }
   return picture;
 }
 
-// Returns per side the tiles beside slack membrane.
-std::array<std::vector<int>, 2> describe_membranes(const Membranes& membranes,
-                                                   const Points3& centres, double L,
-                                                   VerificationReport& report) {
+void describe_membranes(const SolvedDesign& solved, const Points3& centres, double L,
+                        VerificationReport& report) {
   PhysicsFigures& f = report.physics;
   f.converged = true;
-  MembraneAreas both;
-  std::array<std::vector<int>, 2> slack_tiles;
   for (int s = 0; s < 2; ++s) {
-    const MembraneSolution& m = membranes[s];
-    f.triangles += static_cast<int>(m.mesh.triangles.size());
-    f.free_vertices += m.free_vertices;
-    f.coarse_iterations[s] = m.coarse.state.solve.iterations;
-    f.fine_iterations[s] = m.state.solve.iterations;
-    f.residual = std::max(f.residual, m.state.solve.residual);
-    f.converged = f.converged && m.state.solve.converged() && m.coarse.state.solve.converged();
-    for (const TriangleStretch& stretch : m.stretch) {
-      f.largest_stretch = std::max(f.largest_stretch, stretch.larger);
-    }
-    const MembraneAreas areas = measure_areas(m);
-    both.all += areas.all;
-    both.wrinkled += areas.wrinkled;
-    both.slack += areas.slack;
-    slack_tiles[s] = tiles_beside_slack(m, areas);
-    report.membrane[s] = picture_of(m);
+    const SolvedMembrane &coarse = solved.membranes[s].coarse, &fine = solved.membranes[s].fine;
+    f.triangles += static_cast<int>(fine.mesh.triangles.size());
+    f.free_vertices += static_cast<int>(std::count(fine.mesh.pin.begin(), fine.mesh.pin.end(), -1));
+    f.coarse_iterations[s] = coarse.state.solve.iterations;
+    f.fine_iterations[s] = fine.state.solve.iterations;
+    f.residual = std::max(f.residual, fine.state.solve.residual);
+    f.converged = f.converged && fine.state.solve.converged() && coarse.state.solve.converged();
+    report.membrane[s] = picture_of(solved.membranes[s]);
   }
-  if (both.all > 0) {
-    f.wrinkled_fraction = both.wrinkled / both.all;
-    f.slack_fraction = both.slack / both.all;
-  }
-  f.stretch_99 = stretch_of_all_but(0.01, membranes);
-  const WrenchBalance balance = wrench_balance(report.elastic, centres, L);
+  f.wrinkled_fraction = wrinkled_fraction(solved.membranes);
+  f.stretch_99 = stretch_of_all_but(0.01, solved.membranes);
+  const WrenchBalance balance = wrench_balance(solved.elastic, centres, L);
   f.force_balance = balance.force;
   f.torque_balance = balance.torque;
-  f.mean_tile_force = report.elastic.leftCols<3>().rowwise().norm().mean();
-  return slack_tiles;
+  f.normal_force_error = solved.normal_force_error;
+  f.largest_normal_force_error = solved.largest_normal_force_error;
+  f.least_force_error = solved.least_force_error;
+  f.mean_tile_force = solved.elastic.leftCols<3>().rowwise().norm().mean();
 }
 
 void describe_contacts(const TileMesh& tiles, const BalanceSystem& system,
-                       const ContactForces& forces, double f_min, VerificationReport& report) {
+                       const SolvedDesign& solved, VerificationReport& report) {
+  const ContactForces& forces = solved.forces;
   ContactFigures& f = report.contact_forces;
-  f.f_min = f_min;
+  f.f_min = solved.f_min();
   f.normal_mean = forces.normal_mean;
   f.normal_min = forces.normal_min;
   f.imbalance = forces.imbalance;
@@ -82,42 +67,51 @@ void describe_contacts(const TileMesh& tiles, const BalanceSystem& system,
   report.contact_friction_ratio.setConstant(contacts, none);
   report.tile_normal_min.setConstant(tiles.tile_count(), none);
   report.contact_tiles = contact_tiles(tiles);
-  const std::vector<ContactSummary> summaries = summarize_contacts(system, forces.force);
-  for (const ContactSummary& one : summaries) {
-    report.contact_normal_min(one.contact) = one.normal_min;
-    report.contact_normal_mean(one.contact) = one.normal_mean;
-    report.contact_friction_ratio(one.contact) = one.friction_ratio;
-    f.friction_ratio_mean += one.friction_ratio / static_cast<double>(summaries.size());
-    f.friction_ratio_max = std::max(f.friction_ratio_max, one.friction_ratio);
-    if (!presses(one.normal_min, f.f_min))
-      f.invalid_contacts.push_back(tiles.contacts[one.contact].tile);
-    for (int tile : tiles.contacts[one.contact].tile) {
-      double& least = report.tile_normal_min(tile);
-      if (!(least <= one.normal_min)) least = one.normal_min;
+  f.points = system.point_count();
+  int loaded = 0;  // contacts with points
+  for (int p = 0; p < f.points; ++loaded) {
+    const int contact = system.points()[p].contact;
+    const std::array<int, 2>& pair = tiles.contacts[contact].tile;
+    double normal = 0, least = std::numeric_limits<double>::infinity();
+    Vec3 tangential = Vec3::Zero();
+    int count = 0;
+    for (; p < f.points && system.points()[p].contact == contact; ++p, ++count) {
+      const Vec3 force = forces.force.row(p);
+      normal += force.x();
+      least = std::min(least, force.x());
+      tangential += system.basis(p).rightCols<2>() * force.tail<2>();
+      f.points_below_f_min += !presses(force.x(), f.f_min);
+      f.pulling_points += force.x() < 0;
+    }
+    const double ratio = tangential.norm() / std::max(std::abs(normal), 1e-300);
+    report.contact_normal_min(contact) = least;
+    report.contact_normal_mean(contact) = normal / count;
+    report.contact_friction_ratio(contact) = ratio;
+    f.friction_ratio_mean += ratio;
+    f.friction_ratio_max = std::max(f.friction_ratio_max, ratio);
+    if (!presses(least, f.f_min)) f.invalid_contacts.push_back(pair);
+    for (int tile : pair) {
+      double& of_tile = report.tile_normal_min(tile);
+      if (!(of_tile <= least)) of_tile = least;
     }
   }
-  f.points = system.point_count();
-  for (int p = 0; p < f.points; ++p) {
-    f.points_below_f_min += !presses(forces.force(p, 0), f.f_min);
-    f.pulling_points += forces.force(p, 0) < 0;
-  }
+  if (loaded > 0) f.friction_ratio_mean /= loaded;
 }
 
-bool is_feasible(const SolvedDesign& solved, const UnilateralResult& unilateral, double f_min) {
-  return unilateral.solve.status == SolveStatus::converged &&
-         floor_is_reached(unilateral.largest_floor, f_min, force_scale(solved));
+bool is_feasible(const SolvedDesign& solved, const UnilateralResult& unilateral) {
+  return unilateral.solve.converged() &&
+         floor_is_reached(unilateral.largest_floor, solved.f_min(), force_scale(solved));
 }
 
 // The unilateral problem at bumps' tips, which the verdict does not depend on.
 bool is_feasible_at_tips(const SolvedDesign& solved, const DesignGeometry& geometry,
-                         const std::vector<Points3>& tips, double f_min, const Progress& progress) {
+                         const std::vector<Points3>& tips, const Progress& progress) {
   const Parameters& parameters = solved.design.parameters;
   BalanceSystem system = make_balance_system(
       geometry, parameters, points_at_tips(contact_corners(geometry, parameters), tips));
   const Points3 start = solve_contact_forces(system, solved.loads).force;
   const UnilateralOptions options = {parameters.friction_coefficient, force_scale(solved)};
-  return is_feasible(solved, solve_unilateral(system, solved.loads, start, options, progress),
-                     f_min);
+  return is_feasible(solved, solve_unilateral(system, solved.loads, start, options, progress));
 }
 
 // Pairs of tiles between which the front or the back sheet would lie on itself.
@@ -125,8 +119,8 @@ std::vector<std::array<int, 2>> crossing_sheets(const TileMesh& tiles, const Des
   const FlatPoses poses = fit_poses(tiles, design.T);
   std::vector<std::array<int, 2>> out;
   for (const Side side : {Side::front, Side::back}) {
-    const auto found = crossing_rims(tiles, flat_pin_corners(tiles, poses, design.q, side));
-    out.insert(out.end(), found.begin(), found.end());
+    const auto pairs = crossing_rims(tiles, flat_pin_corners(tiles, poses, design.q, side));
+    out.insert(out.end(), pairs.begin(), pairs.end());
   }
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());
@@ -177,22 +171,10 @@ VerificationReport verify_solved(const DesignGeometry& geometry, const SolvedHan
   report.computed = true;
   report.solved = handle;
   report.elastic = solved.elastic;
-  report.physics.normal_force_error = solved.normal_force_error;
-  report.physics.largest_normal_force_error = solved.largest_normal_force_error;
-  report.physics.least_force_error = solved.least_force_error;
-  report.physics.refined_tiles = static_cast<int>(std::count_if(
-      solved.halvings.begin(), solved.halvings.end(), [](int halvings) { return halvings > 0; }));
-  const std::array<std::vector<int>, 2> slack_tiles =
-      describe_membranes(solved.membranes, tile_centres(tiles), parameters.L, report);
-
-  const GlueLoads glue = glue_loads(tiles, design.q, solved.membranes, parameters);
-  report.glue = largest_of(glue);
-  report.overloaded_tiles = overloaded_tiles(glue);
-
-  const ContactForces& forces = solved.forces;
-  const double f_min = solved.f_min_ratio * std::max(0.0, forces.normal_mean);
+  report.glue = glue_figures(tiles, design.q, solved.membranes, parameters);
+  describe_membranes(solved, tile_centres(tiles), parameters.L, report);
   BalanceSystem system = make_balance_system(geometry, parameters);
-  describe_contacts(tiles, system, forces, f_min, report);
+  describe_contacts(tiles, system, solved, report);
   if (options.weak_is_enough && report.contact_forces.points_below_f_min > 0) {
     report.complete = false;
     return report;
@@ -204,8 +186,7 @@ VerificationReport verify_solved(const DesignGeometry& geometry, const SolvedHan
   std::array<MembraneClearance, 2> clearance;
   UnilateralFigures& unilateral = report.unilateral;
   const Progress serial = one_at_a_time(progress);
-  auto find_clearance = [&](Side side) {
-    const int s = static_cast<int>(side);
+  auto find_clearance = [&](int s) {
     clearance[s] = least_clearance(
         patch_clearances(geometry, solved.membranes[s], parameters.H_pin), parameters.H_pin);
   };
@@ -214,18 +195,17 @@ VerificationReport verify_solved(const DesignGeometry& geometry, const SolvedHan
                   [&] {
                     if (!any_tips) return;
                     unilateral.feasible_at_tips =
-                        is_feasible_at_tips(solved, geometry, tips, f_min, serial);
+                        is_feasible_at_tips(solved, geometry, tips, serial);
                   },
-                  [&] { find_clearance(Side::front); }, [&] { find_clearance(Side::back); }});
+                  [&] { find_clearance(0); }, [&] { find_clearance(1); }});
   report.physics.clearance_mm = std::min(clearance[0].distance, clearance[1].distance);
   unilateral.friction_coefficient = parameters.friction_coefficient;
-  unilateral.floor = f_min;
+  unilateral.floor = solved.f_min();
   unilateral.status = at_corners.solve.status;
   unilateral.largest_floor = at_corners.largest_floor;
-  unilateral.feasible = is_feasible(solved, at_corners, f_min);
+  unilateral.feasible = is_feasible(solved, at_corners);
   if (parameters.bumps == "dimples") unilateral.sliding_play = sliding_play(plan, tiles);
-  give_verdict({solved, at_corners, system, clearance, slack_tiles, crossing_sheets(tiles, design)},
-               report);
+  give_verdict({solved, at_corners, system, clearance, crossing_sheets(tiles, design)}, report);
   return report;
 }
 

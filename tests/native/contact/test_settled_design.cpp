@@ -109,23 +109,18 @@ TEST(VirtualScan, FitsEachPieceByItself) {
 // Membranes by finite elements on both meshes, from scratch, with the pins where these tiles are.
 Wrenches by_elements(const Sample& sample, const SolvedDesign& solved, const TileWorld& built) {
   const int count = built.tile_count;
-  Wrenches fine = Wrenches::Zero(count, 6), coarse = fine;
+  Wrenches out = Wrenches::Zero(count, 6);
   Points3 centres(count, 3);
   for (int i = 0; i < count; ++i) centres.row(i) = built.world->poses()[i].t.transpose();
   for (Side side : {Side::front, Side::back}) {
-    const MembraneSolution& known = solved.membranes[static_cast<int>(side)];
-    const Points3 pins = built.pin_corners(side);
-    for (const bool on_fine : {true, false}) {
-      const MembraneMesh& mesh = on_fine ? known.mesh : known.coarse.mesh;
-      MembraneEquilibrium equilibrium(
-          mesh, vertex_positions(mesh.weights, known.coarse.flat_corners),
-          sample.design.parameters.tau, membrane_material(sample.design.parameters, side));
-      const MembraneState state = equilibrium.solve(
-          equilibrium.energy().harmonic(vertex_positions(mesh.weights, pins)), {});
-      add_wrenches(pin_corner_forces(mesh, state, count), pins, centres, on_fine ? fine : coarse);
+    MembraneSolution fresh = solved.membranes[static_cast<int>(side)];
+    for (SolvedMembrane* m : {&fresh.coarse, &fresh.fine}) {
+      m->state = membrane_equilibrium(*m, sample.design.parameters, side)
+                     .solve(vertex_positions(m->mesh.weights, built.pin_corners(side)));
     }
+    out += extrapolated_wrenches(fresh, centres);
   }
-  return extrapolate<Wrenches>(fine, coarse);
+  return out;
 }
 
 TEST(SettledTiles, RestUnderTheForcesOfTheFiniteElements) {

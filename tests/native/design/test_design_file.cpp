@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "curveups/core/errors.hpp"
-#include "curveups/design/design_arrays.hpp"
 #include "curveups/design/design_file.hpp"
 #include "support/meshes.hpp"
 

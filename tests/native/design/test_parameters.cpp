@@ -5,7 +5,6 @@
 #include <set>
 
 #include "curveups/core/errors.hpp"
-#include "curveups/design/parameter_texts.hpp"
 #include "curveups/design/parameters.hpp"
 
 namespace curveups {

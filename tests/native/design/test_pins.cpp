@@ -128,7 +128,7 @@ TEST(Pins, WhatGivesWayIsListedAndKeepsTheFloor) {
   }
   EXPECT_GE(pin_region(tiles, truncation, p, tile, Side::back, of_tile(enough)[0].to).area,
             p.A_pin_floor);
-  // Where even the floor does not do, the side is named as too small and the floor holds.
+  // The side is too small even with p_floor: it is listed, and p_floor holds.
   p.A_pin_floor = 1.5 * most;
   const PinBounds short_of_it = compute_pin_bounds(tiles, truncation, p);
   ASSERT_EQ(of_tile(short_of_it).size(), 3u);
@@ -138,7 +138,7 @@ TEST(Pins, WhatGivesWayIsListedAndKeepsTheFloor) {
       std::any_of(short_of_it.small.begin(), short_of_it.small.end(), [&](const SmallPin& pin) {
         return pin.tile == tile && pin.side == Side::back && std::abs(pin.area - most) < 1e-9;
       }));
-  // What is measured against the relaxed bounds is told with them.
+  // Nothing is relaxed with p_floor = p_min.
   p.p_floor = p.p_min;
   EXPECT_TRUE(of_tile(compute_pin_bounds(tiles, truncation, p)).empty());
 }

@@ -20,7 +20,7 @@ TEST(FrictionNeeded, ForcesExistWithItAndNotWithLess) {
   ASSERT_GT(*needed.coefficient, 0.01);
   EXPECT_LT(*needed.coefficient, parameters.friction_coefficient);
   EXPECT_FALSE(needed.tiles.empty());
-  const double f_min = solved.f_min_ratio * solved.forces.normal_mean;
+  const double f_min = solved.f_min();
   for (double less : {0.0, 0.008}) {
     BalanceSystem system = make_balance_system(geometry, parameters);
     UnilateralOptions asked;

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "curveups/core/errors.hpp"
-#include "curveups/design/print_constants.hpp"
 #include "curveups/physics/loads.hpp"
 #include "curveups/physics/verification.hpp"
 #include "support/designs.hpp"
@@ -21,14 +20,12 @@ using test::spread_design;
 
 Design dome() { return spread_design(hexagon(3, test::cap_height), 1.35, 1.2); }
 
-TEST(Loads, WeightCountsPinsBumpsAndMembranes) {
+TEST(Loads, WeightIsThatOfBodiesAndPins) {
   Design design = dome();
   Parameters& p = design.parameters;
   p.gravity = "held";
   const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, p);
-  const FlatPoses poses = fit_poses(geometry.tiles, design.T);
-  auto weight = [&] { return -weights(geometry, poses, design.q, p).col(2).sum(); };
-  const double all = weight();
+  auto weight = [&] { return -weights(geometry, design.q, p).col(2).sum(); };
   double bodies = 0, pins = 0;
   for (int i = 0; i < geometry.tiles.tile_count(); ++i) {
     bodies += volume(tile_body(geometry.tiles, geometry.truncation, i));
@@ -37,47 +34,12 @@ TEST(Loads, WeightCountsPinsBumpsAndMembranes) {
     }
   }
   const double newtons = 9.80665e-6 * p.density;
-  p.thickness_front = p.thickness_back = 0.01;
-  const double light = weight();
-  EXPECT_LT(light, newtons * (bodies + pins));  // recesses take more than bumps bring
-  EXPECT_GT(light, 0.85 * newtons * (bodies + pins));
+  const double recessed = weight();
   p.bumps = "none";
   p.xy_compensation = 0;
-  EXPECT_NEAR(weight() / (newtons * (bodies + pins)), 1, 5e-3);  // and sheets of 0.01 mm
-  EXPECT_GT(all, light);
-  // 0.5 mm stretched by tau on the layout's area.
-  const double sheets =
-      9.80665e-6 * 0.93 * 2 * 0.49 / (p.tau * p.tau) * flat_area(geometry, design.T);
-  EXPECT_NEAR((all - light) / sheets, 1, 0.15);
-}
-
-TEST(Loads, WeightLacksTheHolesOfJoints) {
-  Parameters p;
-  p.joint = "holes";
-  p.gravity = "held";
-  test::SampleOptions o;
-  o.rows = 2;
-  o.columns = 4;
-  o.cuts.resize(2, 2);
-  o.cuts << 2, 7, 7, 12;
-  o.piece_offset = 40;
-  const Design design = test::sample_design(p, o);
-  const FlatPoses poses = fit_poses(make_geometry(design.mesh, design.cuts, p).tiles, design.T);
-  auto loads = [&](const char* joint) {
-    p.joint = joint;
-    return weights(make_geometry(design.mesh, design.cuts, p), poses, design.q, p);
-  };
-  const Wrenches less = loads("none") - loads("holes");
-  // Four holes, each pulling less at its own tile alone.
-  const double hole = 9.80665e-6 * p.density * M_PI * 0.25 * joint_hole * joint_hole * p.H_body;
-  int tiles = 0;
-  for (int i = 0; i < less.rows(); ++i) {
-    if (less.row(i).norm() == 0) continue;
-    ++tiles;
-    EXPECT_NEAR(less(i, 2), -hole, 1e-12);
-    EXPECT_GT(less.row(i).tail<3>().norm(), hole);  // more than 1 mm from the tile's centre
-  }
-  EXPECT_EQ(tiles, 4);
+  EXPECT_NEAR(weight() / (newtons * (bodies + pins)), 1, 1e-9);
+  EXPECT_LT(recessed, weight());
+  EXPECT_GT(recessed, 0.8 * weight());
 }
 
 TEST(Loads, APieceThatNothingCarriesIsSaid) {
@@ -109,7 +71,7 @@ TEST(Loads, GravityIsCarriedByHeldTilesOrByThePlane) {
   design.parameters.gravity = "held";
   design.parameters.density = 1.18;
   const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
-  // By default what fingers hold: the lowest tile and those around it.
+  // The default: the lowest tile and those around it.
   const std::vector<int> grip = held_tiles(geometry, design.parameters);
   int lowest = 0;
   const Points3 centres = tile_centres(geometry.tiles);
@@ -125,7 +87,7 @@ TEST(Loads, GravityIsCarriedByHeldTilesOrByThePlane) {
   EXPECT_LT(held.contact_forces.imbalance, 1e-9);
   // One end of the dome carries it in another way than the other.
   EXPECT_NE(held.contact_forces.normal_min, light.contact_forces.normal_min);
-  // What holds two neighbours holds them together as well: nothing is asked of their contact.
+  // Two held neighbours need no force at their contact.
   const std::array<int, 2> pair = {light.contact_tiles(0, 0), light.contact_tiles(0, 1)};
   design.parameters.held_tiles = tile_name(pair[0]) + "," + tile_name(pair[1]);
   const VerificationReport both = verify_design(design, {});
@@ -178,8 +140,7 @@ TEST(Loads, ATableCarriesTheWeightAndNoneOfTheTension) {
   ASSERT_TRUE(alone.valid);
   design.parameters.gravity = "resting";
   const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
-  const Wrenches weight =
-      weights(geometry, fit_poses(geometry.tiles, design.T), design.q, design.parameters);
+  const Wrenches weight = weights(geometry, design.q, design.parameters);
   const Carried carried = carry(geometry, weight, design.parameters);
   EXPECT_NEAR(carried.table.col(2).sum() / -weight.col(2).sum(), 1, 1e-9);
   EXPECT_GE(carried.table.col(2).minCoeff(), 0);
@@ -199,7 +160,6 @@ TEST(Loads, ATableCarriesTheWeightAndNoneOfTheTension) {
               0.05 * alone.contact_forces.normal_mean);
   EXPECT_LT(resting.contact_forces.imbalance, 1e-6);
   design.parameters.density = 1e-6;
-  design.parameters.thickness_front = design.parameters.thickness_back = 0.5;
   const VerificationReport weightless = verify_design(design, {});
   EXPECT_NEAR(weightless.contact_forces.normal_min, alone.contact_forces.normal_min, 2e-3);
   EXPECT_NEAR(weightless.unilateral.largest_floor, alone.unilateral.largest_floor, 2e-3);

@@ -70,7 +70,7 @@ TEST(Verify, WithoutStretchTheMembranesGoSlackAndNothingIsValid) {
   design.parameters.tau = 1.05;
   const VerificationReport r = verify_design(design, {});
   EXPECT_TRUE(r.physics.converged);
-  EXPECT_GT(r.physics.slack_fraction + r.physics.wrinkled_fraction, 0.3);
+  EXPECT_GT(r.physics.wrinkled_fraction, 0.15);
   EXPECT_FALSE(r.valid);
 }
 
@@ -128,7 +128,7 @@ TEST(Verify, TilesWithDimplesAreJudgedAtTheirWalls) {
   EXPECT_EQ(dimples.unilateral.largest_floor, none.unilateral.largest_floor);
   EXPECT_EQ(dimples.contact_forces.normal_min, none.contact_forces.normal_min);
   EXPECT_FALSE(none.unilateral.sliding_play);
-  // What slides apart without friction is said to be stopped by them.
+  // Without friction dimples stop the slip.
   design.parameters.bumps = "dimples";
   design.parameters.friction_coefficient = 0.01;
   design.parameters.gravity = "held";
@@ -185,57 +185,16 @@ TEST(Verify, TheErrorBehindFMinIsThatOfTheLeastForce) {
               std::max(low.physics.least_force_error, low.physics.normal_force_error), 1e-12);
 }
 
-// f_min just below the least force: the mesh alone does not tell whether that reaches it.
-TEST(Verify, TheMeshIsRefinedWhereALeastForceIsNotDecided) {
-  Design design = dome();
-  const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
-  auto solve = [&](double f_min_ratio, double mesh_size) {
-    Design other = design;
-    other.parameters.f_min_ratio = f_min_ratio;
-    other.parameters.mesh_size = mesh_size;
-    return solve_design(geometry, other, {});
-  };
-  const double h = design.parameters.mesh_size;
-  const SolvedDesign plain = solve(0.1, h), fine = solve(0.1, h / 4);
-  EXPECT_TRUE(plain.halvings.empty() && plain.undecided.empty());
-  const int weakest = plain.forces.weakest_point;
-  const double least = plain.forces.normal_min / plain.forces.normal_mean;
-  ASSERT_GT(least, 0.1 + plain.least_force_error);
-  const double close = least - 0.5 * plain.least_force_error;
-  const SolvedDesign refined = solve(close, h);
-  const auto untouched = std::count(refined.halvings.begin(), refined.halvings.end(), 0);
-  EXPECT_GT(untouched, geometry.tiles.tile_count() / 2);
-  EXPECT_LT(untouched, geometry.tiles.tile_count() - 4);
-  const double truth = fine.forces.force(weakest, 0);
-  EXPECT_LT(std::abs(refined.forces.force(weakest, 0) - truth),
-            refined.least_force_error * refined.forces.normal_mean);
-  EXPECT_LT(refined.least_force_error, 0.8 * plain.least_force_error);
-  // Balance needs no particular mesh.
-  EXPECT_LT(refined.forces.imbalance, 1e-9);
-  // Points below f_min decide by themselves: nothing is refined.
-  EXPECT_TRUE(solve(1.05 * least, h).halvings.empty());
-  // Where f_min is the error itself, the mesh decides on what is asked for and below that.
-  design.parameters.thickness_front = 0.885;
-  const SolvedDesign low = solve(1e-4, h);
-  EXPECT_GT(low.forces.normal_min, 1e-4 * low.forces.normal_mean);
-  EXPECT_LT(low.forces.normal_min, plain.normal_force_error * low.forces.normal_mean);
-  EXPECT_FALSE(low.halvings.empty());
-}
-
+// f_min just below the least force: the mesh does not tell whether that reaches it.
 TEST(Verify, AWarningNamesContactsThatStayUndecided) {
   Design design = dome();
   VerificationReport r = verify_design(design, {});
-  EXPECT_EQ(r.physics.refined_tiles, 0);
   EXPECT_EQ(find_kind(r.warnings, "undecided"), nullptr);
-  // From f_min a little below the least force of the mesh that this leads to.
-  for (int round = 0; round < 6 && !find_kind(r.warnings, "undecided"); ++round) {
-    design.parameters.f_min_ratio =
-        0.9999 * r.contact_forces.normal_min / r.contact_forces.normal_mean;
-    r = verify_design(design, {});
-  }
+  design.parameters.f_min_ratio =
+      0.9999 * r.contact_forces.normal_min / r.contact_forces.normal_mean;
+  r = verify_design(design, {});
   const Finding* undecided = find_kind(r.warnings, "undecided");
   ASSERT_NE(undecided, nullptr);
-  EXPECT_GT(r.physics.refined_tiles, 4);
   EXPECT_EQ(r.contact_forces.points_below_f_min, 0);
   const Finding::Pairs contacts = std::get<Finding::Pairs>(undecided->figures.at("contacts"));
   double least = 1e9;
@@ -245,6 +204,7 @@ TEST(Verify, AWarningNamesContactsThatStayUndecided) {
     least = std::min(least, r.contact_normal_min(k));
   }
   EXPECT_EQ(least, r.contact_forces.normal_min);
+  EXPECT_LT(static_cast<int>(contacts.size()), r.contact_tiles.rows() / 2);
 }
 
 // Glue on a pin carries what the sheet pulls along its outline.
@@ -280,13 +240,6 @@ TEST(Verify, GlueIsLoadedAlongPinsAndSaidWhereItIsWeak) {
   EXPECT_TRUE(weak.valid);  // a warning
 }
 
-TEST(Verify, GlueThatCarriesNothingHasALimit) {
-  GlueLoads idle;
-  idle[0] = {{0, Side::front, 0, 0, 0.7}};
-  EXPECT_EQ(largest_of(idle).shear.limit, 0.7);
-  EXPECT_TRUE(overloaded_tiles(idle).empty());
-}
-
 TEST(Verify, AMembraneThatCutsIntoABodyIsNotValid) {
   // A sharp ridge with pins far behind it.
   const TriangleMesh ridge = hexagon(2, [](double x, double) { return -0.8 * std::abs(x); });
@@ -297,32 +250,22 @@ TEST(Verify, AMembraneThatCutsIntoABodyIsNotValid) {
   EXPECT_GT(verify_design(dome(), {}).physics.clearance_mm, 0.3);
 }
 
-TEST(Verify, OfPlacesAsNearTheLastIsNamed) {
-  const std::vector<MembraneClearance> by_digits = {
-      {0.5, 3, 0}, {0.2 - 1e-12, 8, 1}, {0.2, 7, 2}, {1.2, -1, 3}};
-  EXPECT_EQ(least_clearance(by_digits, 1.2).tile, 7);
-  EXPECT_EQ(least_clearance(by_digits, 1.2).distance, 0.2 - 1e-12);
-  EXPECT_EQ(least_clearance({{0.2, 7, 1}, {0.1, 8, 2}}, 1.2).tile, 8);
-  EXPECT_EQ(least_clearance({{1.2, -1, 0}}, 1.2).patch, -1);
+TEST(Verify, OfTilesAsNearTheLastIsNamed) {
+  const std::vector<MembraneClearance> nearly_equal = {
+      {0.5, 3}, {0.2 - 1e-12, 8}, {0.2, 7}, {1.2, -1}};
+  EXPECT_EQ(least_clearance(nearly_equal, 1.2).tile, 7);
+  EXPECT_EQ(least_clearance(nearly_equal, 1.2).distance, 0.2 - 1e-12);
+  EXPECT_EQ(least_clearance({{0.2, 7}, {0.1, 8}}, 1.2).tile, 8);
+  EXPECT_EQ(least_clearance({{1.2, -1}}, 1.2).tile, -1);
 }
 
 TEST(Verify, IsTheSameWithOneThreadAndTwo) {
   const int threads = thread_count();
   set_thread_count(1);
   const VerificationReport one = verify_design(dome(), {});
-  // On a mesh that is refined in places.
-  Design hard = dome();
-  hard.parameters.f_min_ratio =
-      0.999 * one.contact_forces.normal_min / one.contact_forces.normal_mean;
-  const VerificationReport hard_one = verify_design(hard, {});
   set_thread_count(2);
-  const VerificationReport two = verify_design(dome(), {}), hard_two = verify_design(hard, {});
+  const VerificationReport two = verify_design(dome(), {});
   set_thread_count(threads);
-  EXPECT_GT(hard_one.physics.refined_tiles, 4);
-  EXPECT_EQ((hard_one.elastic - hard_two.elastic).cwiseAbs().maxCoeff(), 0);
-  EXPECT_EQ(hard_one.contact_forces.normal_min, hard_two.contact_forces.normal_min);
-  EXPECT_EQ(hard_one.reasons, hard_two.reasons);
-  EXPECT_EQ(hard_one.warnings, hard_two.warnings);
   EXPECT_EQ((one.elastic - two.elastic).cwiseAbs().maxCoeff(), 0);
   EXPECT_EQ(one.unilateral.largest_floor, two.unilateral.largest_floor);
   EXPECT_EQ(one.contact_forces.normal_min, two.contact_forces.normal_min);
