@@ -93,7 +93,7 @@ def take(obj: Any, results: Results, stored: Optional[Stored] = None) -> None:
     keys = read_keys(obj)
     with obj.Proxy.many_changes():
         if "target" in results:
-            for name, value in results["target"].settles().items():  # L, where the mesh is taken as it is
+            for name, value in results["target"].fixes().items():  # L, where the mesh is taken as it is
                 properties.write_parameter(obj, name, value)
         if "design" in results:
             _take_design(obj, results, stored.solved)

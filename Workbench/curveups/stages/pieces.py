@@ -16,11 +16,11 @@ from .stage import Inputs, Job, Result, Stage
 
 @dataclass(frozen=True)
 class Piece(Value):
-    """Tiles that contacts join. Normal forces at its contacts, N: their mean, the least, and f_min, what
-    f_min_ratio asks for of the piece's own mean; None without verification. `valid`: None where the design is
-    not judged. `reasons`: why not, those of the whole design among them."""
+    """Tiles joined by contacts. Normal forces at its contacts, N: mean, least, and f_min by the piece's own
+    mean; None without verification. valid: None where the design is not judged. reasons: with those of the
+    whole design."""
 
-    first: int
+    first_tile: int
     tiles: int
     contacts: int
     actuated_cm2: float
@@ -33,7 +33,7 @@ class Piece(Value):
 
 @dataclass(frozen=True)
 class Pieces(Result):
-    """In the order of their lowest tiles, as files and labels number them; none where all is one piece."""
+    """Pieces in the order of their lowest tiles, as files and labels number them; empty for one piece."""
 
     pieces: tuple[Piece, ...] = ()
     broken: tuple[Finding, ...] = ()  # reasons besides those of the whole design
@@ -41,11 +41,8 @@ class Pieces(Result):
     def report(self) -> dict[str, Any]:
         if not self.pieces:
             return {}
-        return {"pieces": [{"piece": number, "first_tile": one.first, "tiles": one.tiles,
-                            "contacts": one.contacts, "actuated_cm2": one.actuated_cm2,
-                            "normal_mean": one.normal_mean, "normal_min": one.normal_min, "f_min": one.f_min,
-                            "valid": one.valid, "reasons": list(map(str, one.reasons))}
-                           for number, one in enumerate(self.pieces, 1)]}
+        return {"pieces": [{"piece": number, **vars(piece), "reasons": list(map(str, piece.reasons))}
+                           for number, piece in enumerate(self.pieces, 1)]}
 
 
 def _run(inputs: Inputs, job: Job) -> Pieces:
@@ -66,7 +63,7 @@ def _run(inputs: Inputs, job: Job) -> Pieces:
         own = np.flatnonzero(piece == number)
         forces = _forces(found, piece, number, inputs.parameters.get("f_min_ratio"))
         mean, least, f_min = forces or (None, None, None)
-        # What was divided on purpose has to hold by its own mean force: over all pieces it may be less.
+        # A piece of its own has to hold by its own mean force, which may exceed that of all pieces.
         alone = _weakness(found, piece, number, forces) if apart and judged and forces else None
         weak += [alone] if alone else []
         reasons = (*(reason for reason in said if reason.concerns(own.tolist())), *([alone] if alone else []))
@@ -76,19 +73,19 @@ def _run(inputs: Inputs, job: Job) -> Pieces:
 
 
 def _contacts(design: Any, piece: np.ndarray, number: int) -> int:
-    """Edges between two of its tiles, but for those that are cut."""
+    """Number of edges between two tiles of the piece that are not cut."""
     cut = {(min(pair), max(pair)) for pair in design.cuts.tolist()}
     return len(interior_edges(design.F[piece == number]) - cut)
 
 
 def _own(found: Any, piece: np.ndarray, number: int) -> np.ndarray:
-    """The contacts of a piece, by their places among all."""
+    """Indices of the contacts of a piece."""
     pairs = np.asarray(found.arrays.get("contact_tiles", ()), int).reshape(-1, 2)
     return np.flatnonzero(piece[pairs[:, 0]] == number)
 
 
 def _forces(found: Any, piece: np.ndarray, number: int, ratio: float) -> Optional[tuple[float, float, float]]:
-    """Mean, least and wanted normal force of a piece, N; None where it has none."""
+    """Mean, least and required normal force of a piece, N; None without contacts."""
     own = _own(found, piece, number)
     if not len(own):
         return None
@@ -98,7 +95,7 @@ def _forces(found: Any, piece: np.ndarray, number: int, ratio: float) -> Optiona
 
 def _weakness(found: Any, piece: np.ndarray, number: int, forces: tuple[float, float, float]
               ) -> Optional[Finding]:
-    """What a piece lacks by itself that the design as a whole does not; None where it holds."""
+    """Reason for which a piece does not hold by itself, though the whole design does; or None."""
     _, least, f_min = forces
     if not max(0.0, found.blocks["contact_forces"]["f_min"]) <= least < f_min:
         return None

@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* printed_kinds[] = {"tiles", "support", "anchors"};
 
-// Thousands of solids take their time to go: others run meanwhile.
+// Deletion of thousands of solids takes a while; other threads run meanwhile.
 struct DeletedWithoutGil {
   void operator()(PrintModel* model) const {
     const py::gil_scoped_release release;
@@ -58,6 +58,10 @@ py::tuple joined(const std::vector<BodyMesh>& meshes) {
 }  // namespace
 
 void bind_print_model(py::module_& module) {
+  FiguresClass<GluedAreas>(module, "GluedAreas", "Areas in the plane of one side's pin tops, mm2.")
+      .figure("pins", &GluedAreas::pins)
+      .figure("anchors", &GluedAreas::anchors)
+      .figure("support", &GluedAreas::support);
   py::class_<PrintModel, HeldModel>(
       module, "PrintModel",
       "All that is printed. Kinds: tiles, support, anchors, print (all) and actuated (the tiles in "
@@ -115,29 +119,21 @@ void bind_print_model(py::module_& module) {
           "without room for them, and how many holes there are in all.")
       .def_readonly("loose_tiles", &PrintModel::loose_tiles)
       .def_readonly("loose_anchors", &PrintModel::loose_anchors)
-      .def_property_readonly(
-          "overhangs", [](const PrintModel& m) { return m.overhang; },
-          "Per tile how far its body reaches out level beyond the pin on the bed.")
+      .def_readonly("overhangs", &PrintModel::overhang,
+                    "Per tile how far its body reaches out level beyond the pin on the bed.")
       .def_property_readonly(
           "glued_areas",
           [](const PrintModel& m) {
             py::dict out;
             for (const Side side : {Side::front, Side::back}) {
-              const GluedAreas areas = glued_areas(m, side);
-              py::dict of_side;
-              of_side["pins"] = areas.pins;
-              of_side["anchors"] = areas.anchors;
-              of_side["support"] = areas.support;
-              out[side == Side::front ? "front" : "back"] = of_side;
+              out[side_name(side)] = py::cast(glued_areas(m, side)).attr("block");
             }
             return out;
           },
-          "Per side what lies in the plane of its pin tops, mm2: pins, anchors and support.")
-      .def("min_clearance_flat",
-           [](const PrintModel& m) {
-             py::gil_scoped_release release;
-             return min_clearance_flat(m).value;
-           })
+          "Areas in the plane of the pin tops by side, mm2: pins, anchors and support.")
+      .def(
+          "min_clearance_flat", [](const PrintModel& m) { return min_clearance_flat(m).value; },
+          py::call_guard<py::gil_scoped_release>())
       .def(
           "build_solids",
           [](PrintModel& m, py::object progress) {
@@ -158,13 +154,11 @@ void bind_print_model(py::module_& module) {
           "and the reasons for which these make the design not valid.")
       .def(
           "shape",
-          [](PrintModel& m, const std::string& kind, bool direct, py::object progress) {
-            const auto shape = without_gil(std::move(progress),
-                                           [&](const Progress&) { return solids_of(m, kind); });
-            return to_part_shape(*shape, direct);
+          [](const PrintModel& m, const std::string& kind) {
+            return to_part_shape(
+                *without_gil(py::none(), [&](const Progress&) { return solids_of(m, kind); }));
           },
-          py::arg("kind"), py::arg("direct") = true, py::arg("progress") = py::none(),
-          "A compound of the kind's solids as a Part.Shape. direct=False goes through a file.")
+          py::arg("kind"), "A compound of the kind's solids as a Part.Shape.")
       .def(
           "mesh",
           [](const PrintModel& m, const std::string& kind) {
@@ -174,14 +168,13 @@ void bind_print_model(py::module_& module) {
             return joined(meshes);
           },
           py::arg("kind"),
-          "Triangles of a kind's bodies, without bumps, for pictures: points (n x 3), triangles (m "
-          "x "
-          "3, counter-clockwise seen from outside) and the body of each triangle, from 0.")
+          "Triangles of a kind's bodies, without bumps, for pictures: points (n x 3), triangles "
+          "(m x 3, counter-clockwise seen from outside) and the body of each triangle, from 0.")
       .def(
           "only_tiles",
           [](const PrintModel& m, const std::vector<int>& tiles) {
             require_tiles(tiles, static_cast<Eigen::Index>(m.tiles.size()), "tiles");
-            return HeldModel(new PrintModel(only_tiles(m, tiles)));
+            return only_tiles(m, tiles);
           },
           py::arg("tiles"), "These tiles (rows of F) alone, at their places: spares.")
       .def(
@@ -194,11 +187,11 @@ void bind_print_model(py::module_& module) {
               motion.R = Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
               motion.t = Vec3(place[0], place[1], 0);
             }
-            return HeldModel(new PrintModel(only_pieces(m, motions)));
+            return only_pieces(m, motions);
           },
           py::arg("places"),
-          "These pieces, or parts, alone; of each the move (mm) after the turn (degrees) about the "
-          "origin.")
+          "These pieces, or parts, alone; each with its move (x, y, mm) after its turn (degrees) "
+          "about the origin.")
       .def(
           "piece_of_bodies",
           [](const PrintModel& m, const std::string& kind) {
@@ -208,12 +201,11 @@ void bind_print_model(py::module_& module) {
           },
           py::arg("kind"), "The piece, or the part, that each body of a kind belongs to.")
       .def_readonly("outlines", &PrintModel::outlines,
-                    "Of each slab: its outline, then holes in it.")
+                    "Polygons of each slab: its outline, then its holes.")
       .def(
           "posed",
           [](const PrintModel& m, const FrameRows& poses) {
-            const auto motions = frame_motions(poses, static_cast<int>(m.actuated.size()));
-            return HeldModel(new PrintModel(move_actuated(m, motions)));
+            return move_actuated(m, frame_motions(poses, static_cast<int>(m.actuated.size())));
           },
           py::arg("poses"), "The same with the actuated tiles where a frame has them.")
       .def(
@@ -229,16 +221,16 @@ void bind_print_model(py::module_& module) {
           "Writes a file of one kind of bodies, in the format of that ending (print_formats).");
   py::class_<PrintFormat>(module, "PrintFormat", "A format of a print's files.")
       .def_readonly("ending", &PrintFormat::ending)
-      .def_readonly("kinds", &PrintFormat::kinds, "Of bodies, each of which has a file.")
-      .def_readonly("wanted", &PrintFormat::wanted, "Those of which print shops ask for it.");
+      .def_readonly("kinds", &PrintFormat::kinds, "Kinds of bodies, a file each.")
+      .def_readonly("wanted", &PrintFormat::wanted, "Kinds that print shops want in this format.");
   module.def("print_formats", &print_formats, py::return_value_policy::reference,
              "The formats of a print's files, in their order.");
-  py::class_<SupportKind>(module, "SupportKind", "What a kind of support is.")
-      .def_readonly("bodies", &SupportKind::bodies, "What they are called; empty: there are none.")
+  py::class_<SupportKind>(module, "SupportKind", "Properties of a kind of support.")
+      .def_readonly("bodies", &SupportKind::bodies, "Name of its bodies; empty: there are none.")
       .def_readonly("material", &SupportKind::material)
-      .def_readonly("removal", &SupportKind::removal, "As a step of the assembly.")
+      .def_readonly("removal", &SupportKind::removal, "Its removal, as a step of the assembly.")
       .def_readonly("soluble", &SupportKind::soluble,
-                    "Of a second material, which a bath takes away; else of the tiles' own.");
+                    "Printed of a second material, which a bath dissolves.");
   module.def("support_kind", &support_kind, py::arg("parameters"),
              "The kind of support that the parameters ask for.");
   module.def(
@@ -264,11 +256,10 @@ void bind_print_model(py::module_& module) {
       "make_print_model",
       [](const Design& design, py::object progress, const std::vector<int>& part_of_tile,
          double opening, const Points& region) {
-        PrintModel model = without_gil(std::move(progress), [&](const Progress&) {
+        return without_gil(std::move(progress), [&](const Progress&) {
           checkpoint("building bodies");
           return make_print_model(design, {part_of_tile, opening, region});
         });
-        return HeldModel(new PrintModel(std::move(model)));
       },
       py::arg("design"), py::arg("progress") = py::none(),
       py::arg("part_of_tile") = std::vector<int>(), py::arg("opening") = 0.0,
@@ -283,12 +274,11 @@ void bind_print_model(py::module_& module) {
       [](const std::string& name,
          const std::vector<std::tuple<Points, Points, Points, Points>>& parts, double thickness,
          double tooth_radius, double tooth_height) {
-        std::vector<RingPart> made;
+        std::vector<RingPart> plates;
         for (const auto& [outline, window, teeth, holes] : parts) {
-          made.push_back({outline, window, teeth, holes});
+          plates.push_back({outline, window, teeth, holes});
         }
-        return HeldModel(
-            new PrintModel(make_ring(name, made, thickness, tooth_radius, tooth_height)));
+        return make_ring(name, plates, thickness, tooth_radius, tooth_height);
       },
       py::arg("name"), py::arg("parts"), py::arg("thickness"), py::arg("tooth_radius"),
       py::arg("tooth_height"),

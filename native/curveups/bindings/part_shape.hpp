@@ -8,10 +8,10 @@ class TopoDS_Shape;
 
 namespace curveups::bindings {
 
-// By pointer on Linux, where FreeCAD's Part module exports its own conversion (0.20 and 1.0
-// do), else (or with direct = false) through its binary exchange format in a temporary file: the
+// Without a copy on Linux, where FreeCAD's Part module exports its own conversion (0.20 and 1.0
+// do), else through its binary exchange format in a temporary file: the
 // same shape, in seconds instead of microseconds. Imports Part, and raises ImportError without
 // FreeCAD.
-py::object to_part_shape(const TopoDS_Shape& shape, bool direct = true);
+py::object to_part_shape(const TopoDS_Shape& shape);
 
 }  // namespace curveups::bindings

@@ -110,7 +110,7 @@ class Follower:
 
     def _look(self) -> None:
         self._worker.poll()
-        if self._worker.settled:
+        if self._worker.idle:
             self._poll.stop()
         if not self._worker.busy:
             bar = FreeCADGui.getMainWindow().statusBar()
