@@ -57,7 +57,7 @@ def check_whole(path):
 
 
 def check_stopped(folder, said):
-    """What was written is whole and the report knows it; returns the names of the files."""
+    """Checks that the written files are whole and listed in the report; returns their names."""
     assert said.splitlines()[-1].startswith("stopped"), said
     report = json.loads((folder / "report.json").read_text("utf-8"))
     check_report(report)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where the program is started from, and what it loads."""
+"""Folders in which the program is started, and the modules that it loads."""
 
 import os
 import subprocess
@@ -25,7 +25,7 @@ def test_from_a_link(tmp_path):
 
 
 def test_commands_load_what_draws_when_they_draw():
-    """It takes half a second and 100 MB, and what it says of folders is no news of a target."""
+    """FreeCAD takes half a second and 100 MB, and prints about folders."""
     done = subprocess.run([sys.executable, "-c", "import sys\nfrom curveups.cli import commands\n"
                                                  "print(*sys.modules)"],
                           env=environment(), capture_output=True, text=True)
