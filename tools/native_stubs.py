@@ -29,12 +29,14 @@ def native_stubs() -> str:
         text = Path(folder, "curveups", "_native.pyi").read_text(encoding="utf-8")
 
     def array(match: re.Match[str]) -> str:
-        kind, shape = match[1], match[3]
-        plain = f"numpy.typing.NDArray[numpy.{kind.rstrip('_')}]"
+        kind, shape = match[1].rstrip("_"), match[3]
+        if kind == "int64":  # of arguments alone, which may be narrower
+            kind = "signedinteger[Any]"
+        plain = f"numpy.typing.NDArray[numpy.{kind}]"
         return f"Annotated[{plain}, '{shape.replace(',', ' x ')}']" if shape else plain
 
     text = re.sub(r"numpy\.ndarray\[numpy\.(\w+)(\[([^\]]*)\])?(?:, [^\]]*)?\]", array, text)
-    text = re.sub(r"\b(int|float|str|bool)\[\d+\]", r"\1", text)  # an array of so many is a list of them
+    text = re.sub(r"\b(\w+(\[\w+\])?)\[\d+\]", r"\1", text)  # an array of so many is a list of them
     text = re.sub(r"progress: object\b", "progress: Optional[Callable[[str, float], object]]", text)
     # Lists are returned; any sequence is taken.
     text = re.sub(r"(?m)^(\s*def \w+\()(.*)(\) ->)",

@@ -1034,10 +1034,6 @@
       <translation> und {count} weitere</translation>
     </message>
     <message>
-      <source> or </source>
-      <translation> oder </translation>
-    </message>
-    <message>
       <source>'{0}' can't be read</source>
       <translation>„{0}“ lässt sich nicht lesen</translation>
     </message>

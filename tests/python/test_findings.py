@@ -74,7 +74,7 @@ def test_an_entry_of_a_report_has_its_figures():
 
 
 def test_every_kind_has_a_sentence():
-    """Those that the native module makes, by its sources, and those of Python; and none is left over."""
+    """Kinds in sources of the native module and of Python have a sentence, and no sentence is left over."""
     made = {kind for path in (ROOT / "native").rglob("*.cpp")
             if "Finding" in (text := path.read_text("utf-8")) or "add_rows" in text or "bump" in path.name
             for found in _NATIVE.findall(text) for kind in found if kind}

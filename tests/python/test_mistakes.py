@@ -169,7 +169,7 @@ def bound(what="p_min", tile=4, start=0.6, end=0.35):
 
 
 def test_bounds_that_gave_way_are_told_and_a_printer_that_cannot_make_them_is_a_reason():
-    """Those of one kind in one warning, by the one that went farthest; and all of them in report.json."""
+    """Warnings, one a kind, with the figures of the one relaxed most; report.json has all."""
     given = (bound(), bound(tile=7, end=0.45), bound("p_max", 2, 0.4, 0.7))
     figures = Figures(1, 0, {}, (), (), (), None, relaxed=given)
     assert figures.report()["relaxed"] == list(given)

@@ -247,7 +247,7 @@ def test_who_listens_gets_the_iterates_and_the_same_design(project, tmp_path):
     design = project.run(("design",), listening).design
     assert {stage for stage, *_ in heard} == {"layout"}
     assert all(T.shape == (24, 3, 2) and q.shape == (24, 2, 3) for _, T, q, _ in heard)
-    assert len(heard) > project.latest("layout").iterations
+    assert len(heard) > project.latest("layout").block["iterations"]
     assert heard[-1][3] < heard[0][3]
     again = Project("cap", native.Parameters(), {"source": project.latest("source"),
                                                  "cut request": CutRequest()})

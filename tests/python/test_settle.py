@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether the settled shape holds: on the command line, in the reports, and as a result of the project."""
+"""Settled shape: on the command line, in the reports, and as a result of the project."""
 
 import json
 

@@ -25,7 +25,7 @@ def test_from_a_link(tmp_path):
 
 
 def test_commands_load_what_draws_when_they_draw():
-    """matplotlib takes half a second and 100 MB, and its words on folders are no news of a target."""
+    """FreeCAD takes half a second and 100 MB, and prints about folders."""
     done = subprocess.run([sys.executable, "-c", "import sys\nfrom curveups.cli import commands\n"
                                                  "print(*sys.modules)"],
                           env=environment(), capture_output=True, text=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a verdict covers where no solids are built, and what is no pass."""
+"""Verdicts without solids: what they cover, and that they do not pass as more."""
 
 import json
 

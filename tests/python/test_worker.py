@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The worker: what it tells while it works, and how work ends."""
+"""The worker: its status during work, and the ways in which work ends."""
 
 import gc
 import threading
@@ -46,7 +46,7 @@ def worker():
     yield worker
     worker.cancel()
     assert worker.wait(60)
-    while not worker.settled:
+    while not worker.idle:
         worker.poll()
 
 
@@ -191,7 +191,7 @@ def test_errors_arrive_as_what_they_are(worker, ended):
 
 
 def test_what_was_made_goes_with_the_last_who_needs_it(worker, monkeypatch):
-    """They go at once, not when Python collects garbage: those of 2500 tiles stop the window for a second."""
+    """Results are freed at once: collecting those of 2500 tiles stops the window for a second."""
     class Made:
         pass
 
@@ -211,7 +211,7 @@ def test_what_was_made_goes_with_the_last_who_needs_it(worker, monkeypatch):
 
 @pytest.mark.parametrize("cancel", [False, True])
 def test_garbage_ends_in_the_thread_that_polls(worker, ended, cancel):
-    """As widgets must. Without a window's care Python collects in the worker's thread, which makes more."""
+    """Widgets must end there. By default Python collects in the worker's thread, which makes more objects."""
     threads, made, going_on = set(), threading.Event(), threading.Event()
 
     class Widget:
@@ -234,13 +234,13 @@ def test_garbage_ends_in_the_thread_that_polls(worker, ended, cancel):
     if cancel:
         worker.cancel()
         worker.poll()
-        assert ended[0].cancelled and not worker.settled  # its thread may make garbage still
+        assert ended[0].cancelled and not worker.idle  # its thread may make garbage still
     going_on.set()
     assert worker.wait(60)
     assert not gc.isenabled()
     for _ in range(2):  # the end, then what comes after it
         worker.poll()
-    assert len(ended) == 1 and worker.settled and gc.isenabled()
+    assert len(ended) == 1 and worker.idle and gc.isenabled()
     assert threads == {threading.current_thread()}
 
 
@@ -249,11 +249,11 @@ def test_garbage_waits_for_the_last_of_several_workers(worker, ended):
     worker.start_work(lambda job: going_on.wait(60), ended.append)
     other.start_work(lambda job: None, ended.append)
     assert other.wait(60)
-    while not other.settled:
+    while not other.idle:
         other.poll()
     assert ended[0].error is None and not gc.isenabled()
     going_on.set()
     assert worker.wait(60)
-    while not worker.settled:
+    while not worker.idle:
         worker.poll()
     assert gc.isenabled()

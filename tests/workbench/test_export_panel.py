@@ -80,7 +80,7 @@ def test_an_export_that_is_cut_off_leaves_no_report(dome_document, tmp_path, pic
         click(form.cancel)
     else:
         FreeCAD.closeDocument(document.Name)
-    until(lambda: WORKER.settled, 60, "the thread to end")
+    until(lambda: WORKER.idle, 60, "the thread to end")
     assert not [name for name in os.listdir(tmp_path / "prints") if name.startswith((".", "report"))]
     if end == "cancel":
         picture("cancelled")

@@ -9,8 +9,8 @@ VALID, NOT_VALID, BAD_INPUT, STOPPED, NOT_WRITTEN = range(5)
 
 
 class CurveUpsError(Exception):
-    """What is wrong, where, and what to do about it: one line, `WHAT (WHERE): REMEDY`. `tiles`: that it
-    names; `finding`: the value that it was made of (findings.py), where there is one."""
+    """An error in one line, `WHAT (WHERE): REMEDY`. tiles: rows of F that it names. finding: the Finding
+    behind it; or None."""
 
     def __init__(self, what: str, where: str = "", remedy: str = "", status: int = BAD_INPUT,
                  tiles: Iterable[int] = (), finding: Any = None):
@@ -30,12 +30,12 @@ class Stopped(Exception):
 
 
 def tile_name(row: int) -> str:
-    """The name of row `row` of F in files and messages."""
+    """Name of row `row` of F in files and messages."""
     return f"T{row + 1:05d}"
 
 
 def named_tiles(text: str, count: int, option: str) -> list[int]:
-    """Rows of F by their names, "T00012,T00345"; count: rows that there are. Raises CurveUpsError."""
+    """Rows of F, of which there are `count`, by their names, "T00012,T00345". Raises CurveUpsError."""
     rows = {tile_name(row): row for row in range(count)}
     names = [name.strip() for name in text.split(",")]
     for name in names:
@@ -46,7 +46,7 @@ def named_tiles(text: str, count: int, option: str) -> list[int]:
 
 
 def tile_list(rows: Iterable[int], most: int = 6) -> str:
-    """Names of tiles for a message, cut short."""
+    """Names of up to `most` tiles for a message."""
     rows = list(rows)
     names = ", ".join(tile_name(int(row)) for row in rows[:most])
     return names + (f" and {len(rows) - most} more" if len(rows) > most else "")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What speaks for or against a target, a design or its print, as a value: a reason, a warning, an advice.
-Sentences are made of it here alone, of the templates in sentences.py, in any language."""
+"""Findings: reasons, warnings and advice on a target, a design or its print, as values. A sentence is made
+here alone: the template of its kind (sentences.py) is translated first and then filled in with figures."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .sentences import MORE, SENTENCES, WORDS
 
 
 class Value:
-    """Base of frozen dataclasses that can be saved: they are known by their name to whoever saves them."""
+    """Base of frozen dataclasses that can be saved; `known` has them by name."""
 
     known: ClassVar[dict[str, type]] = {}
 
@@ -22,9 +22,8 @@ class Value:
 
 @dataclass(frozen=True)
 class Style:
-    """How a sentence is written. `words`: a template in another language; `tile`: a row of F by its name;
-    `plain`: text as it stands in the sentence (escaped, say); `quantity`: a number, how Python writes it, and
-    its unit."""
+    """Style of a sentence. words: translates a template. tile: names a row of F. plain: writes a text
+    (escaped, say). quantity: writes a number by its format and its unit."""
 
     words: Callable[[str], str] = str
     tile: Callable[[int], str] = tile_name
@@ -37,28 +36,28 @@ ENGLISH = Style()
 
 @dataclass(frozen=True)
 class Finding(Value):
-    """`kind`: of SENTENCES; before its first dot stands what report.json calls it. `tiles`: that it is about
-    (rows of F, ascending); none: all of the design. `figures`: that its sentence names: numbers, words, rows
-    (of F, or of a file's faces or vertices), pairs of rows of F, other findings."""
+    """kind: key of SENTENCES; report.json has the part before its first dot. tiles: rows of F concerned,
+    ascending; empty: all of the design. figures: values for the template: numbers, words, rows (of F, or of a
+    file's faces or vertices), pairs of rows of F, other findings."""
 
     kind: str
     tiles: tuple[int, ...] = ()
     figures: Mapping[str, Any] = field(default_factory=dict)
 
     @classmethod
-    def of(cls, found: Any) -> "Finding":
+    def of(cls, finding: Any) -> "Finding":
         """The value of a native Finding."""
-        return cls(found.kind, tuple(found.tiles),
-                   {name: _figure(figure) for name, figure in found.figures.items()})
+        return cls(finding.kind, tuple(finding.tiles),
+                   {name: _figure(figure) for name, figure in finding.figures.items()})
 
     @classmethod
     def about(cls, kind: str, tiles: Iterable[int] = (), **figures: Any) -> "Finding":
-        """With figures by their names."""
+        """Finding with figures by their names."""
         return cls(kind, tuple(sorted({int(tile) for tile in tiles})), figures)
 
     @classmethod
     def read(cls, data: Any) -> "Finding":
-        """Finding read from what `data` gave. Raises LookupError, TypeError or ValueError where damaged."""
+        """Inverse of `data`. Raises LookupError, TypeError or ValueError for damaged data."""
         return cls(str(data["kind"]), tuple(map(int, data["tiles"])),
                    {str(name): _read(figure) for name, figure in dict(data["figures"]).items()})
 
@@ -71,26 +70,26 @@ class Finding(Value):
 
     @property
     def group(self) -> str:
-        """What report.json calls it."""
+        """Kind in report.json."""
         return self.kind.partition(".")[0]
 
     def __str__(self) -> str:
         return self.sentence()
 
     def sentence(self, style: Style = ENGLISH) -> str:
-        """What is found."""
+        """Statement of the finding."""
         return self._write(0, style)
 
     def remedy(self, style: Style = ENGLISH) -> str:
-        """What to do about it; empty where that is not known."""
+        """Remedy; empty where none is known."""
         return self._write(1, style)
 
     def concerns(self, tiles: Iterable[int]) -> bool:
-        """Whether it is about one of these tiles, or about all."""
+        """True where it concerns one of these tiles, or all."""
         return not self.tiles or not set(self.tiles).isdisjoint(tiles)
 
     def entry(self) -> dict[str, Any]:
-        """As report.json has it."""
+        """Entry of report.json."""
         remedy, figures = self.remedy(), {name: _plain(figure) for name, figure in self.figures.items()}
         return {**figures, "what": str(self), "kind": self.group, **({"remedy": remedy} if remedy else {}),
                 "tiles": list(self.tiles)}
@@ -101,12 +100,13 @@ class Finding(Value):
             return style.plain(style.words(texts[part])).format_map(
                 {name: _Shown(figure, style) for name, figure in self.figures.items()}) if texts[part] else ""
         except (ArithmeticError, LookupError, TypeError, ValueError):
-            return style.plain(self.kind)  # of a document that was damaged
+            return style.plain(self.kind)  # in a damaged document
 
 
 class _Shown:
-    """A figure in a sentence. After the colon of its place stands how: of numbers as Python has it, and a
-    unit; of rows how many are named, "#" before that of no tiles; of findings what stands between them."""
+    """A figure in a sentence, formatted by the text after the colon in the template: of a number Python's
+    format and a unit; of rows how many are named, after "#" where they are no tiles; of findings a
+    separator."""
 
     def __init__(self, figure: Any, style: Style):
         self._figure, self._style = figure, style
@@ -116,13 +116,13 @@ class _Shown:
         if isinstance(figure, Finding):
             return figure.sentence(style)
         if isinstance(figure, str):
-            sentence = " " in figure  # of an error; a name has no spaces
+            sentence = " " in figure  # of an error; names have no spaces
             return style.plain(style.words(figure) if sentence or figure in WORDS else figure)
         if not isinstance(figure, tuple):
             number, _, unit = how.partition(" ")
             return style.quantity(figure, number, unit) if unit else format(figure, number)
         if figure and isinstance(figure[0], Finding):
-            return style.plain(style.words(how)).join(one.sentence(style) for one in figure)
+            return style.plain(style.words(how)).join(finding.sentence(style) for finding in figure)
         most = int(how.lstrip("#") or len(figure))
         names = ", ".join("-".join(map(style.tile, row)) if isinstance(row, tuple)
                           else str(row + 1) if how.startswith("#") else style.tile(row)
@@ -131,55 +131,55 @@ class _Shown:
         return names + (style.plain(style.words(MORE)).format(count=left) if left > 0 else "")
 
 
-def all_of(found: Iterable[Any]) -> tuple[Finding, ...]:
-    """The values of native findings."""
-    return tuple(map(Finding.of, found))
+def all_of(findings: Iterable[Any]) -> tuple[Finding, ...]:
+    """Values of native findings."""
+    return tuple(map(Finding.of, findings))
 
 
 def unique(findings: Iterable[Finding]) -> tuple[Finding, ...]:
-    """Each once: several results may give the same one."""
-    found: list[Finding] = []
-    for one in findings:
-        if one not in found:
-            found.append(one)
-    return tuple(found)
+    """Each finding once: several results may give the same."""
+    kept: list[Finding] = []
+    for finding in findings:
+        if finding not in kept:
+            kept.append(finding)
+    return tuple(kept)
 
 
 def first_of_each_kind(findings: Iterable[Finding]) -> list[tuple[Finding, int]]:
-    """The first of each group, and how many others of that group there are."""
+    """First finding of each group, and the number of others in the group."""
     groups: dict[str, list[Finding]] = {}
-    for one in findings:
-        groups.setdefault(one.group, []).append(one)
+    for finding in findings:
+        groups.setdefault(finding.group, []).append(finding)
     return [(group[0], len(group) - 1) for group in groups.values()]
 
 
 def failed(kind: str, error: CurveUpsError) -> Finding:
-    """An error as a reason."""
+    """Reason of this kind that quotes an error."""
     if error.finding is not None:
         return Finding(kind, error.finding.tiles, {"error": error.finding})
     return Finding(kind, (), {"error": error.what + (f" ({error.remedy})" if error.remedy else "")})
 
 
 def refused(error: CurveUpsError) -> Finding:
-    """An error whole: what, where and remedy."""
+    """Finding with an error's text, place and remedy."""
     return Finding.about("refused", error.tiles, what=error.what, where=error.where, remedy=error.remedy)
 
 
-def settle(findings: Sequence[Any], where: str) -> tuple[Finding, ...]:
-    """Raises the first error among native findings; all others."""
-    for one in findings:
-        if one.is_error:
-            raise refusal(Finding.of(one), where)
+def require_no_error(findings: Sequence[Any], where: str) -> tuple[Finding, ...]:
+    """Values of native findings. Raises the first that is an error."""
+    for finding in findings:
+        if finding.is_error:
+            raise refusal(Finding.of(finding), where)
     return all_of(findings)
 
 
-def refusal(found: Finding, where: str) -> CurveUpsError:
-    """The error that a finding is, with the tiles, or the faces of the input, in its place."""
-    faces = found.figures.get("faces", ())
-    rows = f"{_Shown(found.tiles, ENGLISH):6}" if found.tiles else f"{_Shown(faces, ENGLISH):#6}"
+def refusal(finding: Finding, where: str) -> CurveUpsError:
+    """Error of a finding, which names its tiles, or faces of the input, beside `where`."""
+    faces = finding.figures.get("faces", ())
+    rows = f"{_Shown(finding.tiles, ENGLISH):6}" if finding.tiles else f"{_Shown(faces, ENGLISH):#6}"
     place = (where, f"faces {rows}" if faces else rows)
-    return CurveUpsError(found.sentence(), ", ".join(part for part in place if part), found.remedy(),
-                         finding=found)
+    return CurveUpsError(finding.sentence(), ", ".join(part for part in place if part), finding.remedy(),
+                         finding=finding)
 
 
 def _figure(figure: Any) -> Any:
@@ -189,9 +189,9 @@ def _figure(figure: Any) -> Any:
 
 
 def _plain(figure: Any, of: Callable[["Finding"], Any] = str) -> Any:
-    """For JSON; of: what stands for a finding."""
+    """Figure as JSON; of: converts findings."""
     if isinstance(figure, tuple):
-        return [_plain(one, of) for one in figure]
+        return [_plain(item, of) for item in figure]
     return of(figure) if isinstance(figure, Finding) else figure
 
 

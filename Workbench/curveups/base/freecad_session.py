@@ -12,15 +12,16 @@ from pathlib import Path
 from typing import Any, Iterator
 
 from .errors import CurveUpsError
+
 _DEBIAN = "/usr/lib/freecad-python3/lib"
 
 
 def load(*modules: str) -> Any:
     """Imports FreeCAD and the named modules of it; returns FreeCAD, or a tuple with all of them.
 
-    Takes 0.2 to 0.6 s outside of FreeCAD, so only what needs it calls this. Raises CurveUpsError.
+    Takes 0.2 to 0.6 s outside of FreeCAD: call it only where it is needed. Raises CurveUpsError.
     """
-    # The last resort is where Debian has it; tools/setup asks freecadcmd and says it here.
+    # tools/setup asks freecadcmd for the folder and sets the variable; Debian's folder comes last.
     for folder in (None, os.environ.get("CURVEUPS_FREECAD_LIB"), _DEBIAN):
         if folder and folder not in sys.path:
             sys.path.append(folder)
@@ -37,7 +38,7 @@ def load(*modules: str) -> Any:
 
 @contextmanager
 def _kept_signals() -> Iterator[None]:
-    """FreeCAD takes SIGINT when it is imported; whoever had it gets it back."""
+    """Restores the handler of SIGINT, which FreeCAD replaces when it is imported."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
@@ -55,7 +56,7 @@ def version(freecad: Any) -> str:
 
 
 def python() -> str:
-    """The interpreter to start a process with: inside FreeCAD sys.executable is FreeCAD itself."""
+    """Interpreter for a new process: inside FreeCAD sys.executable is FreeCAD itself."""
     own = Path(sys.executable)
     if own.stem.startswith("python"):
         return str(own)
@@ -69,12 +70,12 @@ def python() -> str:
 
 
 def environment() -> dict[str, str]:
-    """The environment of a process that imports this package and FreeCAD as this one does."""
+    """Environment of a process that imports this package and FreeCAD as this one does."""
     paths = [str(Path(__file__).parents[2]), os.environ.get("PYTHONPATH", "")]
-    found = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, paths)), "PYTHONSAFEPATH": "1"}
+    variables = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, paths)), "PYTHONSAFEPATH": "1"}
     loaded = sys.modules.get("FreeCAD")
     file = getattr(loaded, "__file__", None)
     folder = os.path.dirname(file) if file else loaded and os.path.join(loaded.getHomePath(), "lib")
     if folder:
-        found.setdefault("CURVEUPS_FREECAD_LIB", folder)
-    return found
+        variables.setdefault("CURVEUPS_FREECAD_LIB", folder)
+    return variables

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Texts of sheets in another language, without a window: of the files that translators write."""
+"""Translates texts of sheets by the .ts files, without a window."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ _FOLDER = Path(__file__).parents[3] / "resources" / "translations"
 
 
 def Text(text: str) -> str:
-    """Marks a text that a Language says later. Lines of it are one."""
+    """Marks a text that a Language translates later. Its lines become one."""
     return " ".join(text.split())
 
 
 class Language:
-    """say(text, name=value) gives a text in the language, `{name}` in it stands for the value. What is given
-    literally is found by tools/translations; what has no translation stays as it is."""
+    """say(text, name=value) gives a text in the language, with the value for `{name}`. tools/translations
+    finds texts that are given literally; a text without a translation stays as it is."""
 
     def __init__(self, name: str = "en"):
         if name not in languages():
@@ -40,12 +40,12 @@ class Language:
 
     @property
     def style(self) -> Style:
-        """Of the sentences of findings."""
+        """Style for sentences of findings."""
         return Style(self.words)
 
 
 def languages() -> list[str]:
-    """Their names, English first."""
+    """Names of the languages, English first."""
     return ["en", *sorted(path.stem.partition("_")[2] for path in _FOLDER.glob("CurveUps_*.ts"))]
 
 

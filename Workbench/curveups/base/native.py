@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Loads the native module, and says plainly what is wrong where that fails.
+"""Loads the native module and explains a failure.
 
-`from curveups.base.native import native` gives the module; every other file imports it from here. It is
-loaded when something of it is first used: documents open, show and say what is wrong without it.
+`from curveups.base.native import native` gives the module; every other file imports it from here. The module
+is loaded at its first use: documents open without it.
 """
 
 from __future__ import annotations
@@ -41,10 +41,10 @@ def _load() -> ModuleType:
 
 
 class _Native:
-    """The module, loaded at its first use. A failure is raised each time: it may have been mended."""
+    """The module, loaded at its first use. A failed load is tried again at the next use."""
 
     def __getattr__(self, name: str) -> Any:
-        if name.startswith("__"):  # who merely looks at this object does not need the module
+        if name.startswith("__"):  # introspection does not need the module
             raise AttributeError(name)
         if "loaded" not in self.__dict__:
             self.__dict__["loaded"] = _load()
@@ -58,7 +58,7 @@ else:
 
 
 def problem() -> Optional[CurveUpsError]:
-    """Why the native module can't be used; None where it can."""
+    """Error of loading the native module; None where it loads."""
     try:
         native.thread_count
     except CurveUpsError as error:
@@ -68,12 +68,12 @@ def problem() -> Optional[CurveUpsError]:
 
 @contextmanager
 def translated(where: str = "") -> Iterator[None]:
-    """The one place where exceptions of the native module, and of libraries below it, become what
-    reaches users. `where` names the input they came from."""
+    """Turns exceptions of the native module and its libraries into CurveUpsError or Stopped, here alone.
+    `where` names the input they came from."""
     try:
         yield
     except (CurveUpsError, Stopped):
-        raise  # the module itself is missing, or this was translated before
+        raise  # the module is missing, or a nested call has translated the exception
     except native.Cancelled:
         raise Stopped from None
     except native.Error as error:

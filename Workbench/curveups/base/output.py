@@ -21,19 +21,19 @@ def safe_name(text: str) -> str:
 
 
 def plain_name(text: str) -> str:
-    """`text` as it can stand in titles and files of any format: what no text can hold is left out."""
+    """`text` for titles and files of any format, without characters that can't be printed."""
     shown = "".join(c for c in text if c.isprintable()).strip()
     return shown[:LONGEST_NAME] or "target"
 
 
 def require_folder_name(path: Path) -> None:
-    """Refuses, before any work is done, a path that can't become a folder."""
+    """Raises CurveUpsError, before any work is done, for a path that can't become a folder."""
     for place in (path, *path.parents):
         try:
-            there, folder = place.exists(), place.is_dir()
+            exists, folder = place.exists(), place.is_dir()
         except OSError as error:  # a folder above may not be entered, or the name is too long
             raise _unusable(path, error) from error
-        if there:
+        if exists:
             if not folder:
                 raise CurveUpsError(
                     "the output folder is a file" if place == path else "a file is in the way",
@@ -49,8 +49,8 @@ def _unusable(path: Path, error: OSError) -> CurveUpsError:
 class Folder:
     """Writes files into a folder: under a temporary name first, which a rename makes the real one.
 
-    A file that could not be written leaves nothing behind; those before it stay. As a context it answers
-    for whatever unexpected happens between the files: status 4, and the complete files by name.
+    A file that could not be written leaves nothing behind; those before it stay. As a context manager it
+    turns unexpected exceptions between files into status 4, with the names of the complete files.
     """
 
     def __init__(self, path: Path):

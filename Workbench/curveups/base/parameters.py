@@ -19,9 +19,9 @@ _SOLIDS, _PHYSICS = {"tiles", "bodies", "support"}, {"physics", "settle"}
 
 @dataclass(frozen=True)
 class Parameter:
-    """A row. type: "number", "switch", "choice", or what a text without choices holds. readers:
-    the parts of the engine that read it. minimum and maximum: of numbers, the closed range. basic: whether it
-    is shown first. keeps_layout: whether a change is followed without a new layout."""
+    """A row. type: "number", "switch", "choice", or the kind of a text without choices. readers: parts of the
+    engine that read it. minimum and maximum: closed range of a number. basic: shown first. keeps_layout: a
+    change needs no new layout."""
 
     name: str
     unit: str
@@ -38,13 +38,13 @@ class Parameter:
 
     @property
     def level(self) -> str:
-        """basic, advanced, or switch: whether a stage runs, which commands of a window decide."""
+        """basic, advanced, or switch (a stage runs or not: commands of the window decide that)."""
         return "switch" if self.group == "Stages" else "basic" if self.basic else "advanced"
 
     @property
     def effect(self) -> str:
-        """What follows a change: layout (a new one), rebuild (solids, at once), verify, or files (the next
-        that are written)."""
+        """Consequence of a change: layout (a new one), rebuild (solids, at once), verify, or files (the next
+        export)."""
         if not self.keeps_layout:
             return "layout"
         return "rebuild" if self.readers & _SOLIDS else "verify" if self.readers & _PHYSICS else "files"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Reads profiles and materials: named sets of parameters, in files as `--config` takes them. A profile suits
-a kind of printer. A material says of each number where it is from and between what it varies."""
+a kind of printer. A material gives the source and the range of each number."""
 
 from __future__ import annotations
 
@@ -17,17 +17,17 @@ MATERIALS = ("material_membrane", "material_glue", "material_tile")  # kinds; `-
 
 
 def profile_names() -> list[str]:
-    """In alphabetical order."""
+    """Names of the profiles in alphabetical order."""
     return sorted(path.stem for path in (_RESOURCES / "profiles").glob("*.json"))
 
 
 def profile_path(name: str) -> Path:
-    """The file of one of these."""
+    """File of a profile."""
     return _RESOURCES / "profiles" / f"{name}.json"
 
 
 def material_names(kind: str) -> list[str]:
-    """Of one of MATERIALS, in alphabetical order."""
+    """Names of the materials of a kind (MATERIALS) in alphabetical order."""
     return sorted(path.stem for path in (_RESOURCES / "materials").glob("*.json")
                   if _read(path)["kind"] == kind)
 
@@ -37,13 +37,14 @@ def material_path(name: str) -> Path:
 
 
 def about(path: Path) -> str:
-    """What is to be known of a profile or material."""
+    """Note on a profile or material."""
     return str(_read(path).get("about", ""))
 
 
 def sources(path: Path) -> dict[str, dict[str, Any]]:
-    """By quantity of a material: `low`, `high`, `source`, `date`, and `assumed` where no source was read. A
-    quantity without a side stands for both sides' parameters; one that is no parameter has a `value`."""
+    """Entries of a material by quantity: `low`, `high`, `source`, `date`, and `assumed` where no source was
+    read. A quantity without a side stands for both sides' parameters; one that is no parameter has a
+    `value`."""
     return dict(_read(path).get("sources", {}))
 
 
@@ -53,13 +54,13 @@ def parameters(path: Path) -> dict[str, Any]:
 
 
 def defaults(paths: Iterable[Path]) -> dict[str, Any]:
-    """Of all parameters that some of these set."""
+    """Defaults of all parameters that some of these files set."""
     common = native.Parameters()
     return {key: common.get(key) for path in paths for key in parameters(path)}
 
 
 def of_material(kind: str, name: Any, where: str) -> dict[str, Any]:
-    """The parameters of a material. Raises CurveUpsError where there is none of that name."""
+    """Parameters of a material. Raises CurveUpsError for an unknown name."""
     known = material_names(kind)
     if name not in known:
         raise CurveUpsError(f"there is no {kind} '{name}'", where, f"give one of {', '.join(known)}")

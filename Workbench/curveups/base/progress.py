@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Progress on standard error, and stopping by SIGINT.
 
-A `Progress` is what jobs and native calls take: called with what is being done and how much of
-it (0 to 1, negative where unknown), it answers whether to go on.
+Jobs and native calls take a `Progress`: it is called with the name of the current work and its fraction
+(0 to 1, negative where unknown), and returns whether to go on.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ Progress = Callable[[str, float], bool]
 
 
 class Interrupt:
-    """Turns SIGINT into a flag while it is entered; a second one ends the program at once."""
+    """Turns SIGINT into a flag while entered; a second SIGINT ends the program at once."""
 
     def __init__(self) -> None:
         self.requested = False
@@ -72,8 +72,7 @@ class Reporter:
         self._what = ""
 
     def _line(self, what: str) -> None:
-        # Details behind a colon change with every step; a log wants the work's name once.
-        # Parallel work takes turns in reporting, so a name that was said is not said again.
+        # Details behind a colon change with every step, and parallel work takes turns: each name once.
         kind = what.split(":")[0]
         if kind not in self._said:
             self._write(f"curveups: {kind}\n")

@@ -1,25 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The sentence and the remedy of every kind of finding (findings.py), the native module's among them. A new
-kind is a line here; `tools/translations` asks for its words in other languages. How figures are written
-stands in findings.py."""
+"""Sentence and remedy of every kind of finding (findings.py), those of the native module among them. A new
+kind is a line here; `tools/translations` lists its words for translation. findings.py explains the formats of
+figures."""
 
 from __future__ import annotations
 
-import re
+from string import Formatter
 from typing import Mapping, Union
 
 CONTEXT = "CurveUps_Findings"  # of translations
 
-MORE = " and {count} more"  # after the rows that are named
-OR = " or "                 # between findings
+MORE = " and {count} more"  # after a number of names
 
-# Figures that are words of ours; others (names of bodies and files, errors of libraries) stay as they are.
+# Figures that are translated; others (names of bodies and files, errors of libraries) are not.
 WORDS = ("front", "back", "gap", "pin area", "pin keep-out", "inset at its limit", "open", "invalid",
          "faces turned over", "no volume", "volume", "front pin", "back pin", "height of the pins",
          "body", "bump", "joint hole", "wall beside the joint hole", "notch of the bridge",
          "out of date")
 
-# What long work says that it is doing; {0} stands for a name or a number.
+# Names of work in progress; {0} stands for a name or a number.
 PROGRESS = (
     "working", "reading the target", "mending the target", "remeshing",
     "checking the target", "registering the scan", "smoothing the target", "dividing into pieces",
@@ -34,7 +33,7 @@ PROGRESS = (
     "measuring bodies", "measuring clearances", "building solids", "checking solids",
     "meshing bodies", "uniting bodies", "drawing pictures", "dividing the print among beds",
     "writing {0}")
-# What a check compares, in its order.
+# Figures that a check compares, in its order.
 MARGINS = (
     "dihedral margin, deg", "back face / front face", "pin area margin front, mm2",
     "pin area margin back, mm2", "clearance of the front membrane, mm", "clearance of the back membrane, mm",
@@ -134,7 +133,7 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "stopped.unchecked": "stopped before all solids were checked",
     "refused": "{what} ({where}): {remedy}",
     "doubt": "the design is {state}: {reasons:; }",
-    # What a document says of a design that its results are not of.
+    # Results in a document that are out of date.
     "changed.divided": "{names} changed since the target was divided: Solve brings it up to date",
     "changed.solved": "{names} changed since the layout was solved: Solve brings it up to date",
     "changed.built": "{names} changed since this was built: BuildSolids brings it up to date",
@@ -328,7 +327,7 @@ SENTENCES: Mapping[str, tuple[str, str]] = {
 
 
 def texts() -> set[str]:
-    """All that has to be said in another language."""
-    found = {*WORDS, *PROGRESS, *MARGINS, ESTIMATE, MORE, OR}
-    found.update(text for both in SENTENCES.values() for text in both)
-    return {text for text in found if any(map(str.isalpha, re.sub("{[^{}]*}", "", text)))}
+    """All texts with words to translate."""
+    sentences = (text for both in SENTENCES.values() for text in both)
+    return {text for text in (*WORDS, *PROGRESS, *MARGINS, ESTIMATE, MORE, *sentences)
+            if any(map(str.isalpha, "".join(literal for literal, *_ in Formatter().parse(text))))}

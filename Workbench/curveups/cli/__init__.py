@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command line: arguments, exit statuses, one-line errors. What commands do: commands.py."""
+"""The command line: arguments, exit statuses, one-line errors. commands.py runs the commands."""
 
 from __future__ import annotations
 
 import argparse
 import os
-import re
 import sys
 import traceback
 from pathlib import Path
@@ -21,14 +20,14 @@ nothing written; 3 stopped, the best so far was written; 4 a file could not be w
 
 
 class _Parser(argparse.ArgumentParser):
-    """Argument errors in the one-line form of all others."""
+    """Raises argument errors as CurveUpsError."""
 
     def error(self, message: str) -> NoReturn:
         raise CurveUpsError(message, "command line", f"see '{self.prog} --help'")
 
 
 def make_parser() -> argparse.ArgumentParser:
-    """Every command with its arguments."""
+    """Parser of all commands."""
     parser = _Parser(prog="curveups", epilog=_EPILOG, allow_abbrev=False,
                      description="Design a CurveUp, from the target surface to the print files.")
     parser.add_argument("--version", action="version", version=f"curveups {__version__}")
@@ -89,7 +88,7 @@ def make_parser() -> argparse.ArgumentParser:
 
 
 def _number_of(what: str, least: int, most: int) -> Callable[[str], int]:
-    """The type of an argument that is a whole number in this range."""
+    """Type of an argument: a whole number in this range."""
     def number(text: str) -> int:
         if not text.isdecimal() or not text.isascii() or not least <= int(text) <= most:
             raise argparse.ArgumentTypeError(f"'{text}' is no number of {what} from {least} to {most}")
@@ -149,27 +148,27 @@ def _set_argument(parser: argparse.ArgumentParser) -> None:
 
 
 def _one_setting_each(arguments: Sequence[str]) -> list[str]:
-    """`--set a=1 b=2`, or `--set=a=1 b=2`, as `--set a=1 --set b=2`. What follows is a setting as long as it
-    looks like one, so that TARGET may stand behind settings."""
-    found: list[str] = []
+    """Arguments with `--set a=1 b=2`, or `--set=a=1 b=2`, as `--set a=1 --set b=2`. Arguments that look like
+    name=value are settings, so that TARGET may follow settings."""
+    separate: list[str] = []
     setting = False
     for argument in arguments:
-        if setting and re.match(r"[A-Za-z_]\w*=", argument):
-            if found[-1] != "--set":
-                found.append("--set")
-        elif not (setting and found[-1] == "--set"):
+        if setting and argument.partition("=")[0].isidentifier() and "=" in argument:
+            if separate[-1] != "--set":
+                separate.append("--set")
+        elif not (setting and separate[-1] == "--set"):
             setting = argument == "--set" or argument.startswith("--set=")
-        found.append(argument)
-    return found
+        separate.append(argument)
+    return separate
 
 
 def run(arguments: Optional[list[str]]) -> int:
-    """Run one command and return its exit status. Raises CurveUpsError."""
+    """Runs one command and returns its exit status. Raises CurveUpsError."""
     options = make_parser().parse_args(_one_setting_each(sys.argv[1:] if arguments is None else arguments))
     with Interrupt() as interrupt:
         reporter = Reporter(interrupt, getattr(options, "quiet", False))
         try:
-            # Loaded only now, so that --help works where the native module is broken.
+            # Imported here so that --help works with a broken native module.
             from . import commands
 
             return commands.COMMANDS[options.command](options, reporter)
@@ -178,7 +177,7 @@ def run(arguments: Optional[list[str]]) -> int:
 
 
 def main(arguments: Optional[list[str]] = None) -> int:
-    """The program; every outcome is an exit status."""
+    """Runs the program and returns its exit status."""
     try:
         return run(arguments)
     except CurveUpsError as error:
@@ -199,7 +198,7 @@ def main(arguments: Optional[list[str]] = None) -> int:
 
 
 def _tell(text: str) -> None:
-    """Print an error's one line, behind its traceback where CURVEUPS_DEBUG=1 asks for that."""
+    """Prints an error in one line, after its traceback with CURVEUPS_DEBUG=1."""
     if os.environ.get("CURVEUPS_DEBUG") == "1":
         traceback.print_exc()
     print(f"curveups: error: {text}", file=sys.stderr)

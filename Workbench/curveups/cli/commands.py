@@ -49,7 +49,7 @@ def check(options: Any, reporter: Reporter) -> int:
     if options.output:
         require_folder_name(options.output)
     cuts = read_cuts(options.cuts) if options.cuts else CutRequest()
-    # Closed surfaces are looked at too, and told to be.
+    # Closed surfaces are accepted and reported.
     project = _project(options, replace(cuts, suggested=1), reporter, not options.no_remesh)
     project.give("cut request", cuts)
     job = Job(reporter)
@@ -69,7 +69,7 @@ def check(options: Any, reporter: Reporter) -> int:
 def remesh(options: Any, reporter: Reporter) -> int:
     """curveups remesh"""
     require_folder_name(options.output)
-    # A closed target can be cut later.
+    # A closed target may be cut later.
     project = _project(options, CutRequest(suggested=1), reporter)
     target = project.run(("target",), Job(reporter))["target"]
     write_obj(Folder(options.output), f"{project.name}-remeshed.obj", target.V, target.F)
@@ -161,10 +161,10 @@ def actuate(options: Any, reporter: Reporter) -> int:
     results = project.run(("bodies", *asked_by("actuate")), job, strict=True)
     with translated(str(options.design)):
         stopped = actuation.write_actuation(results, options.output, job)
-    for one in results[RISEN].findings():
-        reporter.say(f"{project.name}: {one}")
+    for finding in results[RISEN].findings():
+        reporter.say(f"{project.name}: {finding}")
     if stopped:
-        reporter.say("stopped: what there is, is written")
+        reporter.say("stopped: the files so far are written")
         return STOPPED
     return VALID if results[RISEN].is_known else NOT_VALID
 
@@ -176,11 +176,11 @@ COMMANDS = {"design": design, "check": check, "remesh": remesh, "targets": targe
 
 def _design_project(options: Any, reporter: Reporter, effects: tuple[str, ...] = ("rebuild", "files")
                     ) -> tuple[Project, bool]:
-    """The project of a design file with settings that have one of these effects, and whether these change its
+    """Project of a design file with settings that have one of these effects, and whether they change its
     geometry."""
     project = Project.of_design(_read_design(options.design), str(options.design))
     values, rebuilt = project.parameters, False
-    # Where it is the printer's and no verdict depends on it.
+    # The density follows the printer where it is the printer's and no verdict depends on it.
     follows = values.get("density") == density_of(values.get("printer")) and values.get("gravity") == "off"
     given = [(name, text, f"--set {name}") for name, text in _settings(options.settings)]
     for name, value, where in _with_materials(given):
@@ -188,7 +188,7 @@ def _design_project(options: Any, reporter: Reporter, effects: tuple[str, ...] =
         _set(values, name, value, where)
         row = parameter(native.parameter_name(name))
         if row.effect not in effects:
-            typed = where.removeprefix("--set ")  # a material's, maybe
+            typed = where.removeprefix("--set ")  # possibly a material's
             raise CurveUpsError(f"{typed} can't change on {options.command}", where,
                                 "run 'curveups design' with it")
         rebuilt |= row.effect == "rebuild" and values.get(name) != before.get(name)
@@ -199,7 +199,7 @@ def _design_project(options: Any, reporter: Reporter, effects: tuple[str, ...] =
 
 
 def _answer(line: str) -> None:
-    """A line on standard output."""
+    """Prints a line on standard output."""
     print(line, flush=True)
 
 
@@ -213,27 +213,27 @@ def _finish(results: Results, folder: Path | None, reporter: Reporter, stopped: 
         reporter.say(f"  {reason}")
     for first, others in first_of_each_kind(results.warnings()):  # report.json and the page have all
         reporter.say(f"  warning: {first}" + (f" (and {others} more of this kind)" if others else ""))
-    _tell_of_cuts(results, reporter)
-    if stopped:  # a signal that came too late to leave anything out stopped nothing
-        reporter.say("stopped: what there is, is written" if folder else "stopped")
+    _report_cuts(results, reporter)
+    if stopped:
+        reporter.say("stopped: the files so far are written" if folder else "stopped")
         return STOPPED
     return NOT_VALID if verdict.valid is False else VALID
 
 
-def _tell_of_cuts(results: Results, reporter: Reporter) -> None:
-    """Where cuts are proposed: how to make them."""
-    found = results.get("suggestions")
-    if found is None or not found.proposed:
+def _report_cuts(results: Results, reporter: Reporter) -> None:
+    """Reports proposed cuts, and how to make them."""
+    suggestions = results.get("suggestions")
+    if suggestions is None or not suggestions.proposed:
         return
     if results.verdict.valid is not False:  # otherwise they stand among the reasons
-        for cut in found.proposed:
+        for cut in suggestions.proposed:
             reporter.say(f"  warning: {cut} would relieve the layout")
     reporter.say(f"  to make them: --cuts with {results.name}-cuts.json, or --auto-cuts "
-                 f"{len(found.applied) + len(found.proposed)} for as many, chosen anew")
+                 f"{len(suggestions.applied) + len(suggestions.proposed)} for as many, chosen anew")
 
 
 def _project(options: Any, cuts: CutRequest, reporter: Reporter, remesh: bool = True) -> Project:
-    """The project of a target; where sizes are chosen, with these and the design that was made with them."""
+    """Project of a target; with L=auto or H_body=auto, with the chosen sizes and their design."""
     values, automatic = native.Parameters(), set()
 
     def put(name: str, value: Any, where: str) -> None:
@@ -266,14 +266,14 @@ def _project(options: Any, cuts: CutRequest, reporter: Reporter, remesh: bool = 
 
 
 def _of_printer(given: Sequence[tuple[str, Any, str]]) -> Iterator[tuple[str, Any, str]]:
-    """Parameters that the printer which is given sets where they are not: what its material weighs."""
+    """Parameters that depend on a given printer: the density of its material."""
     printer = next((value for name, value, _ in reversed(given) if name == "printer"), None)
     if printer in parameter("printer").choices:
         yield "density", density_of(printer), printer
 
 
 def _with_materials(given: Sequence[tuple[str, Any, str]]) -> list[tuple[str, Any, str]]:
-    """With the parameters of materials instead of their names; what is given itself wins over these."""
+    """Settings with the parameters of materials in place of their names; other settings win over these."""
     of_materials = [(name, value, where) for kind, material, where in given if kind in MATERIALS
                     for name, value in of_material(kind, material, where).items()]
     return of_materials + [row for row in given if row[0] not in MATERIALS]
@@ -289,8 +289,8 @@ def _read_design(path: Path) -> Any:
         raise CurveUpsError("the design is no text", str(path),
                             "give a design.json of 'curveups design'") from None
     with translated(str(path)):
-        found = native.read_design(text)
-    return found.with_name(plain_name(found.name))
+        design = native.read_design(text)
+    return design.with_name(plain_name(design.name))
 
 
 def _settings(texts: list[str]) -> Iterator[tuple[str, str]]:
@@ -313,7 +313,7 @@ def _default(row: Any) -> str:
     return f"{text} {row.unit}".strip()
 
 
-# What the texts of parameters name, by the type of their rows.
+# Formats of text parameters, by the type of their rows.
 TEXTS = {"tiles": "tile names", "faces": "face names", "opening": "auto, largest, none, z=0, ...",
          "pieces": "1 to 24, or auto", "direction": "x,y,z"}
 

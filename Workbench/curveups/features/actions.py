@@ -64,7 +64,8 @@ def _repaired(design: Any) -> Project:
     """Project of a repair of the layout as it stands, which may have been repaired or stopped before."""
     standing, stored = live.design_project_of(design), live.stored(design)
     finished = standing.latest("design")
-    layout = stored.latest("layout") or Layout(finished.design, True, False, 0, 0, 0, 0.0, {}, 0.0)
+    layout = stored.latest("layout") or Layout(
+        finished.design, False, {"converged": True, "iterations": 0, "energies": {}}, 0.0)
     given = {name: result for name in ("source", "target", "cuts") if (result := stored.latest(name))}
     given["layout"] = replace(layout, design=finished.design)
     parameters = native.Parameters(standing.parameters)

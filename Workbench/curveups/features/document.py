@@ -88,7 +88,7 @@ def take(obj: Any, results: Results, stored: Optional[Stored] = None) -> None:
     _complete(obj)
     keys = read_keys(obj)
     if "target" in results:
-        for name, value in results["target"].settles().items():  # L, where the mesh is taken as it is
+        for name, value in results["target"].fixes().items():  # L, where the mesh is taken as it is
             properties.write_parameter(obj, name, value)
     if "design" in results:
         _take_design(obj, results, stored.solved)

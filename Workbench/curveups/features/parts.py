@@ -165,8 +165,8 @@ def write_layout(obj: Any, results: Mapping[str, Any], design: Any) -> None:
     obj.Faces = np.ravel(design.F).tolist()
     layout = results.get("layout")
     if layout is not None:
-        obj.Converged, obj.Iterations = layout.converged, layout.iterations
-        obj.Energy = sum(layout.energies.values())
+        obj.Converged, obj.Iterations = layout.converged, layout.block["iterations"]
+        obj.Energy = sum(layout.block["energies"].values())
 
 
 # Property, array of the verification, type, tooltip.

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What results were made from, and what of it has changed since: the one place that says what is current.
+"""Keys: the inputs of each result, and which of them have changed since. Decides alone what is current.
 
-Works on records of results, without the results and without the native module: documents ask it too.
+Works on records of results, without the results and the native module, for documents too.
 """
 
 from __future__ import annotations
@@ -12,60 +12,59 @@ from typing import Any, Collection, Iterable, Mapping, Optional
 from ..stages import BY_NAME
 from ..stages.stage import Stage
 
-Key = Mapping[str, str]  # what a result was made from: parameters and upstream results by name
-Values = Any             # parameters: whatever has get(name)
+Key = Mapping[str, str]  # parameters and contents of upstream results, by name
+Values = Any             # parameters: an object with get(name)
 
 
 @dataclass(frozen=True)
 class Record:
-    """What is known of a result without the result. content: what later stages know it by. settles:
-    parameters that it decides for them."""
+    """A result's key and digest without the result. fixes: parameters that it fixes for later stages."""
 
     key: Key = field(default_factory=dict)
     content: str = ""
-    settles: Mapping[str, Any] = field(default_factory=dict)
+    fixes: Mapping[str, Any] = field(default_factory=dict)
 
 
 Records = Mapping[str, Record]
 
 
-def settled(names: Iterable[str], records: Records) -> dict[str, Any]:
-    """Parameters that these results, and those that they were made from, decide."""
+def fixed_parameters(names: Iterable[str], records: Records) -> dict[str, Any]:
+    """Parameters fixed by these results and their inputs."""
     values: dict[str, Any] = {}
     pending = [name for name in names if name in records]
     for name in pending:
-        values.update(records[name].settles)
+        values.update(records[name].fixes)
         if name in BY_NAME:
             pending += [other for other in BY_NAME[name].reads if other in records and other not in pending]
     return values
 
 
 def key_of(stage: Stage, records: Records, values: Values) -> dict[str, str]:
-    """What a result of the stage would be made from now."""
-    known = _Over(settled(stage.reads, records), values)
+    """Key of a result of the stage if it were made now."""
+    known = _Over(fixed_parameters(stage.reads, records), values)
     key = {name: repr(known.get(name)) for name in stage.parameters(known)}
     key.update({name: records[name].content for name in stage.reads})
     return key
 
 
 def differences(record: Record, expected: Key) -> list[str]:
-    """Names of what is not what the result was made from. A value that the result itself decided is the same,
-    and so is one that lost its last digits in a document."""
+    """Names in `expected` that differ from the result's key. Values that the result itself fixed are equal,
+    and so are numbers that lost their last digits in a document."""
     return [name for name, part in expected.items()
             if not _same(record.key.get(name), part)
-            and not (name in record.settles and _same(repr(record.settles[name]), part))]
+            and not (name in record.fixes and _same(repr(record.fixes[name]), part))]
 
 
 def changes(name: str, records: Records, values: Values,
             given: Collection[str] = ()) -> Optional[tuple[str, ...]]:
-    """What has changed since the result of a stage was made: names of parameters and of results that it
-    reads, none where it is current. None where there is no result. given: results that are not made."""
+    """Names of parameters and results that changed since the result of a stage was made; empty where it is
+    current, None where there is no result. given: results that are not made."""
     changed: dict[str, None] = {}
     if not _compare(name, records, values, given, changed):
         return None
-    decided = settled((name,), records)  # the target decides on L after the surface was read for another
+    fixed = fixed_parameters((name,), records)  # the target fixes L after the surface was read for another
     return tuple(part for part in changed
-                 if part not in decided or not _same(repr(decided[part]), repr(values.get(part))))
+                 if part not in fixed or not _same(repr(fixed[part]), repr(values.get(part))))
 
 
 def _compare(name: str, records: Records, values: Values, given: Collection[str],
@@ -93,10 +92,10 @@ def _same(a: Optional[str], b: str) -> bool:
 
 
 class _Over:
-    """Values, but for those that results have settled."""
+    """Values, except those that results have fixed."""
 
-    def __init__(self, settled: Mapping[str, Any], values: Values):
-        self._settled, self._values = settled, values
+    def __init__(self, fixed: Mapping[str, Any], values: Values):
+        self._fixed, self._values = fixed, values
 
     def get(self, name: str) -> Any:
-        return self._settled[name] if name in self._settled else self._values.get(name)
+        return self._fixed[name] if name in self._fixed else self._values.get(name)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A design and its results, each keyed by what it was made from.
 
-Asking for a result runs the stages that are missing or out of date, and nothing else. "Out of date"
-is derived from the keys: nobody sets it. One thread at a time works; others may read meanwhile.
+run() runs the stages whose results are missing or out of date. "Out of date" is derived from the keys and
+never set. One thread at a time works; others may read meanwhile.
 """
 
 from __future__ import annotations
@@ -21,15 +21,15 @@ from ..base.parameters import with_values
 from ..stages import BY_NAME, SETTLED, VERDICT
 from ..stages.design import FinishedDesign
 from ..stages.stage import Inputs, Job, Picture, Result, Row, Stage, digest
-from .keys import Key, Record, Records, changes, differences, key_of, settled
+from .keys import Key, Record, Records, changes, differences, fixed_parameters, key_of
 
 HOLDS = {True: "holds", False: "does not hold", None: "not settled"}
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """valid is None where the design could not be judged; the reasons say why in any case. holds: whether
-    the settled shape stays; None where that is not known."""
+    """valid: None where the design was not judged. reasons: why it is not valid or not judged. holds: the
+    settled shape stays; None where that is not known."""
 
     valid: Optional[bool] = None
     reasons: tuple[Finding, ...] = ()
@@ -37,13 +37,13 @@ class Verdict:
 
     @property
     def word(self) -> str:
-        """Both, which are always shown together."""
+        """Words for valid and holds, which are shown together."""
         valid = {True: "valid", False: "not valid", None: "not judged"}[self.valid]
         return f"{valid}, {HOLDS[self.holds]}"
 
 
 def judge(results: Mapping[str, Any], note: Optional[Finding] = None) -> Verdict:
-    """The verdict on the results of a run. note: why there is no verification."""
+    """Verdict on the results of a run. note: why there is no verification."""
     holds = results[SETTLED].holds if SETTLED in results else None
     reasons = [reason for result in results.values() for reason in result.reasons()]
     verification = results.get(VERDICT)
@@ -52,10 +52,9 @@ def judge(results: Mapping[str, Any], note: Optional[Finding] = None) -> Verdict
     if reasons:
         return Verdict(False, unique(reasons), holds)
     if verification is not None and verification.valid:
-        # What was asked for besides and is not known, as the work was stopped.
         notes = [getattr(result, "note", None) for name, result in results.items()
                  if name in BY_NAME and BY_NAME[name].judges]
-        open_questions = tuple(note for note in notes if note)
+        open_questions = tuple(note for note in notes if note)  # left by a stop
         return Verdict(None if open_questions else True, open_questions, holds)
     note = verification.note if verification is not None else note
     return Verdict(None, (note,) if note else (), holds)
@@ -63,7 +62,7 @@ def judge(results: Mapping[str, Any], note: Optional[Finding] = None) -> Verdict
 
 @dataclass(frozen=True)
 class Made:
-    """A result with what it was made from and how long that took."""
+    """A result with its key and the time of making it."""
 
     result: Result
     key: Key = field(default_factory=dict)
@@ -71,19 +70,18 @@ class Made:
 
     @property
     def content(self) -> str:
-        """What later stages know it by."""
+        """Digest by which later stages know it."""
         return self.result.content or digest(*(f"{name}={value}" for name, value in sorted(self.key.items())))
 
     @cached_property
     def record(self) -> Record:
-        """What is known of it without itself."""
-        return Record(self.key, self.content, self.result.settles())
+        """Record for keys.py."""
+        return Record(self.key, self.content, self.result.fixes())
 
 
 @dataclass(frozen=True)
 class Results(Mapping[str, Any]):
-    """What one run ended with, in the order of the stages: a value that stays as it is whatever the
-    project does next. Reports, files and documents are made from it."""
+    """Results of one run in the order of the stages, an immutable value for reports, files and documents."""
 
     name: str             # of files
     parameters: Any
@@ -107,7 +105,7 @@ class Results(Mapping[str, Any]):
 
     @property
     def title(self) -> str:
-        """What the design, or else its target, is called, in any letters."""
+        """Name of the design, or else of its target, in any letters."""
         if "design" in self and self["design"].design:
             return self["design"].design.name
         return self["source"].name if "source" in self else self.name
@@ -117,14 +115,13 @@ class Results(Mapping[str, Any]):
         return judge(self, self.note)
 
     def warnings(self) -> list[Finding]:
-        return [found for result in self.values() for found in result.warnings()]
+        return [warning for result in self.values() for warning in result.warnings()]
 
     def pictures(self) -> list[Picture]:
         return [picture for result in self.values() for picture in result.pictures()]
 
     def rows(self) -> list[Row]:
-        """The stages that ran, in order; one that ran again after a repair counts there, with all its
-        seconds."""
+        """Rows of the stages that ran, in order; rows of one name are summed at the last place."""
         rows: dict[str, Row] = {}
         for made in self.made.values():
             for row in made.result.rows(made.seconds):
@@ -135,9 +132,9 @@ class Results(Mapping[str, Any]):
 
 
 class Project:
-    """`given`: results that are not made but given: "source" and "cut request" where a target is to
-    become a design, "design" where there is one. `where` names the target or file in messages. `known`:
-    results of another project or saved ones; those made from something else are out of date here."""
+    """given: results that are not made: "source" and "cut request" of a target, or a "design". where: the
+    target or file, for messages. known: saved results, or those of another project; results of other inputs
+    are out of date here."""
 
     def __init__(self, name: str, parameters: Any, given: Mapping[str, Result], where: str = "",
                  known: Mapping[str, Made] | None = None):
@@ -149,12 +146,12 @@ class Project:
 
     @classmethod
     def of_design(cls, design: Any, where: str = "") -> "Project":
-        """The project of a native Design that exists."""
+        """Project of a native Design."""
         return cls(safe_name(design.name), design.parameters, {"design": FinishedDesign(design)}, where)
 
     @property
     def parameters(self) -> Any:
-        """A copy. Values that contradict one another are refused with CurveUpsError."""
+        """A copy. Setting values that contradict one another raises CurveUpsError."""
         return native.Parameters(self._parameters)
 
     @parameters.setter
@@ -164,48 +161,46 @@ class Project:
             self._parameters = checked
 
     def give(self, name: str, result: Result) -> None:
-        """Another given result."""
+        """Replaces a given result."""
         with self._reading:
             self._given[name] = Made(result)
 
     def copy(self) -> "Project":
-        """Another project of the same inputs and results, which are values: whatever it runs, this one
-        stays as it is."""
+        """Project with the same inputs and results. Its runs do not change this one."""
         with self._reading:
             twin = Project(self.name, self._parameters, {}, self.where, self._made)
             twin._given = dict(self._given)
         return twin
 
     def forget_stopped(self) -> None:
-        """Drops what was stopped before its end: asked for again, it is made anew."""
+        """Drops results of stopped work, so that they are made anew."""
         with self._reading:
-            self._made = {name: one for name, one in self._made.items() if not one.result.stopped}
+            self._made = {name: made for name, made in self._made.items() if not made.result.stopped}
 
     def given(self) -> dict[str, Made]:
-        """What is not made but given."""
+        """Given results."""
         with self._reading:
             return dict(self._given)
 
     def forget_out_of_date(self) -> None:
-        """Drops results that were made from something else than there is now."""
-        kept = {name: one for name, one in self.made().items() if self.out_of_date(name) == ()}
+        """Drops results whose inputs have changed."""
+        kept = {name: made for name, made in self.made().items() if self.out_of_date(name) == ()}
         with self._reading:
             self._made = kept
 
     def made(self) -> dict[str, Made]:
-        """All results there are, out of date or not: what is saved, and `known` to other projects."""
+        """All results, out of date or not, to be saved or `known` to other projects."""
         with self._reading:
             return dict(self._made)
 
     def latest(self, name: str) -> Any:
-        """The last result of a stage, out of date or not; None where there is none."""
+        """Last result of a stage, out of date or not; or None."""
         with self._reading:
             made = self._given.get(name) or self._made.get(name)
         return made.result if made else None
 
     def out_of_date(self, name: str) -> Optional[tuple[str, ...]]:
-        """What has changed since the result of a stage was made: names of parameters and of results that
-        it reads, none where it is current. None where there is no result."""
+        """Names of changed inputs of a result (keys.changes); empty where it is current, None without it."""
         with self._reading:
             known = {**self._made, **self._given}
             parameters = self._parameters
@@ -213,10 +208,10 @@ class Project:
 
     def run(self, goals: Sequence[str], job: Optional[Job] = None, strict: bool = False,
             note: Optional[Finding] = None) -> Results:
-        """Makes the goals, each with what it needs, and returns all there is then.
+        """Makes the goals with their upstream results, and returns all results.
 
-        A stage that fails or is stopped where work before it is worth its files ends in a result that
-        says so; `strict`: failures are raised. Raises CurveUpsError, and Stopped where there is nothing.
+        A stage that fails or is stopped ends in its result for that (Stage.on_failure, on_stop), if any.
+        strict: failures are raised. Raises CurveUpsError, and Stopped without a result.
         """
         job = job or Job()
         with self._working:
@@ -241,17 +236,17 @@ class Project:
 
 
 def _records(made: Mapping[str, Made]) -> Records:
-    return {name: one.record for name, one in made.items()}
+    return {name: item.record for name, item in made.items()}
 
 
 def _decided(names: Iterable[str], records: Records, parameters: Any) -> Any:
-    """The parameters for what reads these results: the project's, but for those that they, and what
-    they were made from, decide."""
-    return with_values(parameters, settled(names, records))
+    """Parameters for readers of these results: the project's, except those fixed by the results and their
+    inputs."""
+    return with_values(parameters, fixed_parameters(names, records))
 
 
 class _Run:
-    """One run: what it made is its own until it ends."""
+    """State of a run; the project gets its results at the end."""
 
     def __init__(self, name: str, parameters: Any, given: dict[str, Made], made: dict[str, Made],
                  where: str, job: Job, strict: bool, note: Optional[Finding]):
@@ -260,7 +255,7 @@ class _Run:
         self.note = note
         self.made: dict[str, Made] = dict(given)
         self.records: dict[str, Record] = dict(_records(given))
-        self.lasting: dict[str, Made] = {}  # results that may be asked for again
+        self.lasting: dict[str, Made] = {}  # results that the project keeps
 
     def make(self, name: str) -> Made:
         if name in self.made:
@@ -302,7 +297,7 @@ class _Run:
         return made
 
     def results(self) -> Results:
-        """All there is."""
+        """All results, with their parameters."""
         made = {name: self.made[name] for name in (*self.given, *BY_NAME) if name in self.made}
-        stopped = self.job.stopped or any(one.result.stopped for one in made.values())
+        stopped = self.job.stopped or any(item.result.stopped for item in made.values())
         return Results(self.name, _decided(made, _records(made), self.parameters), made, self.note, stopped)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Results of a project as text, and back, bit for bit: with their keys, so that what is out of date
-when they are read again is known to be. What several results share is written once."""
+"""Results of a project as text, and back, bit for bit. Their keys are saved too, so that results of other
+inputs are out of date when read. Values shared by several results are written once."""
 
 from __future__ import annotations
 
@@ -22,34 +22,34 @@ FORMAT, VERSION = "curveups-results", 1
 
 
 def to_text(made: Mapping[str, Made], without: Collection[str] = ()) -> str:
-    """Those results that consist of numbers, texts, arrays and designs; others are made anew. `without`:
-    fields that are left at their defaults (pictures of membranes are most of a verification)."""
+    """Text of all lasting results. without: names of fields to leave out (pictures of membranes are most of a
+    verification)."""
     writer = _Writer(without)
-    results = {name: {"key": dict(one.key), "seconds": one.seconds,
-                      "result": writer.encode(one.result)}
-               for name, one in made.items() if one.result.lasting}
+    results = {name: {"key": dict(item.key), "seconds": item.seconds,
+                      "result": writer.encode(item.result)}
+               for name, item in made.items() if item.result.lasting}
     return json.dumps({"format": FORMAT, "version": VERSION, "shared": writer.shared, "results": results})
 
 
 def from_text(text: str, where: str = "") -> dict[str, Made]:
-    """Raises CurveUpsError where the text is not what `to_text` wrote."""
+    """Inverse of to_text. Raises CurveUpsError for any other text."""
     try:
         data = json.loads(text)
         if data["format"] != FORMAT or data["version"] != VERSION:
             raise ValueError(f"version {data['version']} of {data['format']}")
         with translated(where):
             shared: list[Any] = []
-            for value in data.get("shared", []):  # what one refers to stands before it
+            for value in data.get("shared", []):  # each refers to earlier ones
                 shared.append(_decode(value, shared))
-            return {name: Made(_decode(one["result"], shared), one["key"], float(one["seconds"]))
-                    for name, one in data["results"].items()}
+            return {name: Made(_decode(item["result"], shared), item["key"], float(item["seconds"]))
+                    for name, item in data["results"].items()}
     except (ValueError, TypeError, LookupError, AttributeError, RecursionError, binascii.Error) as error:
         raise CurveUpsError(f"the saved results can't be read: {error}", where,
                             "solve the design again") from None
 
 
 class _Writer:
-    """Collects arrays, designs and values in `shared`, each once; others refer to their places there."""
+    """Collects arrays, designs and values in `shared`, each once, and replaces them by their indices."""
 
     def __init__(self, without: Collection[str]):
         self.shared: list[Any] = []
@@ -96,6 +96,6 @@ def _decode(value: Any, shared: Sequence[Any]) -> Any:
     if "design" in value:
         return native.read_design(value["design"])
     if "array" in value:
-        found = np.frombuffer(base64.b64decode(value["array"], validate=True), np.dtype(value["type"]))
-        return found.reshape(value["shape"]).copy()
+        array = np.frombuffer(base64.b64decode(value["array"], validate=True), np.dtype(value["type"]))
+        return array.reshape(value["shape"]).copy()
     return {name: _decode(item, shared) for name, item in value["map"].items()}

@@ -16,7 +16,7 @@ from .project import Project
 
 _SENTENCES = {"L": "size.L", "H_body": "size.H_body"}
 AUTOMATIC = tuple(_SENTENCES)  # parameters that may be "auto"
-MOST_TILES = 5000  # a length is chosen as long as there are no more
+MOST_TILES = 5000  # bounds the shortest length
 MOST_TRIED = 6     # lengths, and thicknesses
 SHORTER = 0.85     # the next length
 # Thicknesses in parts of L; the paper has 3/7.
@@ -26,8 +26,8 @@ GOALS = ("clearances", "verification", "pieces")
 
 @dataclass(frozen=True)
 class Tried:
-    """Values of parameters, mm, and why they do not work; no reason: the design is valid, or lies flat where
-    verification is off."""
+    """Values of parameters, mm, and why they fail; no reason: the design is valid, or lies flat without
+    verification."""
 
     values: Mapping[str, float]
     why: tuple[Finding, ...] = ()
@@ -42,8 +42,8 @@ class Tried:
 
 @dataclass(frozen=True)
 class SizeChoice:
-    """project: with the values that are chosen and the results of trying them. tried: in order; the last ones
-    are chosen where their design is valid, else the first of which a design was made."""
+    """project: with the chosen values and their results. tried: in order. Chosen are the last values where
+    their design is valid, else the first ones with a design."""
 
     project: Project
     values: Mapping[str, float]
@@ -52,20 +52,19 @@ class SizeChoice:
 
     def findings(self) -> list[Finding]:
         """Warnings that list the sizes tried, and say where none is valid."""
-        return [*(one.finding for one in self.tried), *(() if self.valid else (Finding("tried.none"),))]
+        return [*(tried.finding for tried in self.tried), *(() if self.valid else (Finding("tried.none"),))]
 
 
 def choose(project: Project, names: Collection[str], job: Job) -> SizeChoice:
-    """The first of a short list of values, of those of AUTOMATIC that are named, whose design is valid:
+    """Solves for a short list of values of the named parameters (of AUTOMATIC) until a design is valid:
     lengths at which tiles stay within `maximum_deviation` of the surface, from the largest on, and
-    THICKNESSES. With both, the thicknesses of the first length at which thin tiles can be made. Designs are
-    made only where margins leave nothing in the way. Raises CurveUpsError where there is no such size, and
-    Stopped."""
-    found = project.run(("target",), job)
-    target = found["target"]
+    THICKNESSES. With both, the thicknesses of the first length at which thin tiles can be made. Values whose
+    margins block tiles are not solved. Raises CurveUpsError where no value gives a design, and Stopped."""
+    results = project.run(("target",), job)
+    target = results["target"]
     search = _Search(project, job)
     if "L" not in names:
-        search.thickness(found.parameters.get("L"), {})
+        search.thickness(results.parameters.get("L"), {})
     elif not can_remesh(target, project.latest("cut request")):
         raise CurveUpsError("L can't be auto where the mesh is given", project.where,
                             "give cuts as polylines, or L as a number")
@@ -77,7 +76,7 @@ def choose(project: Project, names: Collection[str], job: Job) -> SizeChoice:
         if L is not None:
             search.thickness(L, {"L": L})
     if search.chosen is None:
-        tried = "; ".join(str(one.finding) for one in search.tried)
+        tried = "; ".join(str(item.finding) for item in search.tried)
         raise CurveUpsError(f"no size was found that works: {tried}", project.where,
                             "raise maximum_deviation, or see 'curveups check'")
     return replace(search.chosen, tried=tuple(search.tried))
@@ -87,10 +86,10 @@ class _Search:
     def __init__(self, project: Project, job: Job):
         self._project, self._job = project, job
         self.tried: list[Tried] = []
-        self.chosen: Optional[SizeChoice] = None  # valid, or the first of which a design was made
+        self.chosen: Optional[SizeChoice] = None  # a valid one, or the first with a design
 
     def thickness(self, L: float, values: Mapping[str, float]) -> None:
-        """Solves for the thicknesses of this length until a design is valid; values: of other parameters."""
+        """Solves for the thicknesses of this length until a design is valid. values: other parameters."""
         least, most = value_range("H_body")
         for part in THICKNESSES:
             H_body = rounded(part * L)
@@ -98,7 +97,7 @@ class _Search:
                 return
 
     def length(self, target: Any, works: Callable[[float], bool]) -> Optional[float]:
-        """The first length, from the largest on, that keeps tiles near the surface and works."""
+        """First length, from the largest on, that keeps tiles near the surface and works."""
         most_far = self._project.parameters.get("maximum_deviation")
         least, most = value_range("L")
         L = min(most, length_of(LEAST_TILES, target))
@@ -132,35 +131,35 @@ class _Search:
         return twin
 
     def clear(self, values: Mapping[str, float]) -> Optional[Project]:
-        """A project with these values where margins leave nothing in the way; what is, is noted."""
+        """Project with these values; None, with an entry in `tried`, where margins block tiles."""
         try:
             twin = self._with(values)
-            found = twin.run(("feasibility",), self._job)["feasibility"]
+            feasibility = twin.run(("feasibility",), self._job)["feasibility"]
         except CurveUpsError as error:
             self.tried.append(Tried(values, (failed("tried.error", error),)))
             return None
-        if unhindered(found):
+        if unhindered(feasibility):
             return twin
-        tiles = {one.tile for one in found.blocked}
+        tiles = {obstacle.tile for obstacle in feasibility.blocked}
         self.tried.append(Tried(values, (Finding.about("tried.blocked", tiles, count=len(tiles),
-                                                       of=len(found.F)),)))
+                                                       of=len(feasibility.F)),)))
         return None
 
     def _open(self, twin: Project) -> None:
-        """Makes the cuts that are to be looked for, where a surface is closed."""
-        request, found = twin.latest("cut request"), twin.latest("feasibility")
-        if request.suggested and any(one.obstacle == "closed" for one in found.blocked):
+        """Makes suggested cuts, if requested, where a surface is closed."""
+        request, feasibility = twin.latest("cut request"), twin.latest("feasibility")
+        if request.suggested and any(obstacle.obstacle == "closed" for obstacle in feasibility.blocked):
             twin.give("cut request", request.accept(twin.run(("cut search",), self._job)["cut search"]))
 
     def solve(self, values: Mapping[str, float]) -> bool:
-        """Makes and verifies a design with these values; whether it is valid, or not refuted where
-        verification is off."""
+        """Makes and verifies a design with these values, and returns whether it is valid, or not known to be
+        invalid without verification."""
         twin = self.clear(values)
         if twin is None:
             return False
         try:
             self._open(twin)
-            results = twin.run(GOALS, Job(self._job))  # nobody watches its iterates
+            results = twin.run(GOALS, Job(self._job))  # without listener of iterates
         except CurveUpsError as error:
             self.tried.append(Tried(values, (failed("tried.error", error),)))
             return False

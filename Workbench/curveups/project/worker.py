@@ -1,12 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One worker for all that takes longer than a blink, so that a window stays alive meanwhile.
+"""A worker thread for long work, so that a window stays responsive. Without Qt: the window's thread asks
+`status()`, and `poll()` calls back there once the work has ended.
 
-Nothing of Qt in here: who started work asks `status()` as often as it likes, and `poll()` calls it back
-in its own thread once the work has ended. Results are values, so handing them over needs no care.
-
-Python collects garbage in whichever thread makes enough new objects. Widgets that end elsewhere are handed to
-the window's thread, which deletes them later: those that their parents have deleted meanwhile once more, and
-FreeCAD crashes. While a thread of this works, `poll()` is therefore what collects.
+If the garbage collector frees a widget on the worker's thread, Qt may delete it twice and crash FreeCAD.
+Automatic collection is therefore off while a worker runs, and `poll()` collects.
 """
 
 from __future__ import annotations
@@ -31,8 +28,8 @@ Work = Callable[[Job], Any]
 
 @dataclass(frozen=True)
 class Status:
-    """Where work is. what: is being done, empty where the stage has not said it. fraction: of that, negative
-    where unknown. iterate: the newest layout. count: of iterates so far."""
+    """Progress of work. what: name of the current work, or empty. fraction: of it, negative where unknown.
+    iterate: the newest layout. count: number of iterates."""
 
     stage: str = ""
     what: str = ""
@@ -45,8 +42,7 @@ class Status:
 
 @dataclass(frozen=True)
 class Outcome:
-    """How work ended: with a value, an error, or neither where it was cancelled or stopped before there
-    was anything worth keeping."""
+    """End of work: a value, an error, or neither after it was cancelled or stopped without a result."""
 
     value: Any = None
     error: Optional[Exception] = None
@@ -57,7 +53,7 @@ OnDone = Callable[[Outcome], object]
 
 
 class _Run(threading.Thread):
-    """One piece of work on a thread of its own."""
+    """Thread of one piece of work."""
 
     def __init__(self, work: Work, on_done: OnDone, before: Optional["_Run"]):
         super().__init__(name="CurveUps", daemon=True)
@@ -67,32 +63,33 @@ class _Run(threading.Thread):
         self.job = Job(self._progress, self._listen)
         self._work, self._before = work, before
         self._began, self._ended = time.perf_counter(), 0.0
-        self._said = ("", "", -1.0)  # in which stage, what, how far
+        self._said = ("", "", -1.0)  # stage, what, fraction
         self._iterate: Optional[Iterate] = None
         self._count = 0
 
     def run(self) -> None:
-        if self._before is not None:  # cancelled, but its native call may still be ending
+        if self._before is not None:  # its cancelled native call may still be ending
             self._before.join()
             self._before = None
         try:
             with translated():
-                found = Outcome(self._work(self.job))
+                outcome = Outcome(self._work(self.job))
         except Stopped:
-            found = Outcome()
+            outcome = Outcome()
         except Exception as error:
-            found = Outcome(error=error)
-        except BaseException as error:  # a thread has nobody else to tell
-            found = Outcome(error=CurveUpsError(f"unexpected {type(error).__name__}", "", "please report it"))
-        # The job and this hold one another: results would stay until Python collects garbage, a long pause.
+            outcome = Outcome(error=error)
+        except BaseException as error:  # nobody else observes the thread
+            unexpected = f"unexpected {type(error).__name__}"
+            outcome = Outcome(error=CurveUpsError(unexpected, "", "please report it"))
+        # The job refers to this thread: without the cycle, results are freed at once, without a long pause.
         self.job.progress = self.job.listen = None
         del self._work
         self._ended = time.perf_counter()
-        self.outcome = found
+        self.outcome = outcome
 
     def status(self) -> Status:
         stage, what, fraction = self._said
-        if stage != self.job.stage:  # it has said nothing yet, and what was said before holds no more
+        if stage != self.job.stage:  # the report is of an earlier stage
             what, fraction = "", -1.0
         seconds = (self._ended or time.perf_counter()) - self._began
         return Status(self.job.stage, what, fraction, seconds, self._iterate, self._count, self.job.stopped)
@@ -106,34 +103,34 @@ class _Run(threading.Thread):
         self._count += 1
 
 
-_COLLECTING: set["Worker"] = set()  # those with a thread: while there are any, Python collects nothing itself
+_COLLECTING: set["Worker"] = set()  # workers with a thread: while there are any, gc is disabled
 
 
 class Worker:
-    """Does one thing at a time. All its methods are for one thread, a window's, and answer at once."""
+    """Does one piece of work at a time. Its methods belong to the window's thread and return at once."""
 
     def __init__(self) -> None:
         self._current: Optional[_Run] = None
-        self._last: Optional[_Run] = None  # that may still be ending
+        self._last: Optional[_Run] = None  # may still be ending
         self._status = Status()
 
     @property
     def busy(self) -> bool:
-        """Whether there is work whose end has not been told yet."""
+        """True until on_done was called."""
         return self._current is not None
 
     @property
-    def settled(self) -> bool:
-        """Whether nothing more is to be polled for."""
+    def idle(self) -> bool:
+        """True where poll has nothing to do."""
         return not self.busy and self not in _COLLECTING
 
     def start(self, project: Project, goals: Sequence[str], on_done: OnDone) -> None:
-        """Makes the goals on a copy of the project, so that cancelling leaves nothing behind. on_done gets
-        the Results as outcome's value: `stopped` says whether they are the best so far."""
+        """Makes the goals on a copy of the project, which cancelling leaves unchanged. on_done gets an
+        Outcome whose value is the Results."""
         self.start_work(partial(project.copy().run, goals), on_done)
 
     def start_work(self, work: Work, on_done: OnDone) -> None:
-        """Any work that takes a Job. Raises CurveUpsError where there is work already."""
+        """Runs work(job). Raises CurveUpsError while there is other work."""
         if self._current is not None:
             raise CurveUpsError("CurveUps is at work already", "", "stop or cancel that first")
         before = self._last if self._is_alive() else None
@@ -143,36 +140,36 @@ class Worker:
         self._current.start()
 
     def stop(self) -> None:
-        """Ends the work with the best so far; on_done gets it."""
+        """Ends the work with the best so far."""
         if self._current is not None:
             self._current.job.stopped = True
 
     def cancel(self) -> None:
-        """Ends the work with nothing: the next poll tells so, even if its thread needs a while longer."""
+        """Ends the work without a result at the next poll, even while its thread is still ending."""
         if self._current is not None:
             self._current.cancelled = self._current.job.stopped = True
 
     def status(self) -> Status:
-        """Where the work is, or where the last one ended."""
+        """Progress of the work, or the last one before its end."""
         if self._current is not None:
             self._status = self._current.status()
         return self._status
 
     def poll(self) -> None:
-        """Calls on_done once the work has ended, from here."""
+        """Calls on_done if the work has ended."""
         self._collect()
         run = self._current
         if run is None:
             return
-        found = Outcome(cancelled=True) if run.cancelled else run.outcome
-        if found is None:
+        outcome = Outcome(cancelled=True) if run.cancelled else run.outcome
+        if outcome is None:
             return
         self.status()
         self._current = run.outcome = None
-        run.on_done(found)
+        run.on_done(outcome)
 
     def wait(self, seconds: float = 10.0) -> bool:
-        """Waits until no thread of it runs; whether that is so. Tells nobody."""
+        """Waits until no thread runs, and returns whether that is so. Does not call on_done."""
         if self._last is not None:
             self._last.join(seconds)
         return not self._is_alive()
@@ -181,7 +178,7 @@ class Worker:
         return self._last is not None and self._last.is_alive()
 
     def _collect(self) -> None:
-        """What Python would collect; Python goes on with it once no thread is left."""
+        """Collects garbage while a thread runs, as Python would; enables gc after the last."""
         if self not in _COLLECTING:
             return
         if self._current is None and not self._is_alive():
@@ -195,4 +192,4 @@ class Worker:
             gc.collect(full[-1])
 
 
-WORKER = Worker()  # of the window's commands
+WORKER = Worker()  # for the window's commands

@@ -12,16 +12,16 @@ STAGES = (surface.STAGE, target.STAGE, smoothing.TARGET, division.STAGE, feasibi
           suggestions.STAGE)
 
 BY_NAME = {stage.name: stage for stage in STAGES}
-VERDICT = verification.STAGE.name  # there is no verdict without it
+VERDICT = verification.STAGE.name
 SETTLED = settle.STAGE.name
 RISEN = actuation.STAGE.name
 
 
 def asked_by(*commands: str) -> tuple[str, ...]:
-    """Names of the stages that these commands ask for, in the order of the stages."""
+    """Names of the stages that these commands run, in the order of the stages."""
     return tuple(stage.name for stage in STAGES if set(commands) & set(stage.asked_by))
 
 
 def label_of(name: str) -> str:
-    """What users read for a stage."""
+    """Name of a stage for users."""
     return BY_NAME[name].label if name in BY_NAME else name

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Shape of the built piece: the finished design relaxed without friction, and on its way from flat, released
+"""Shape of the built piece: the finished design relaxed without friction, and its path from flat: released
 under its membranes, then shaken, then pressed over its former and let go."""
 
 from __future__ import annotations
@@ -15,16 +15,16 @@ from . import settle
 from .stage import Inputs, Job, Picture, Result, Row, Stage
 
 RELAXED, SHAKEN = "relaxed", "shaken"
-STATES = (RELAXED, "by_itself", SHAKEN, "pressed")  # after the first, each goes on from the last
+STATES = (RELAXED, "by_itself", SHAKEN, "pressed")  # the last three follow one another
 DRAG = "Drag to turn. Fronts are yellow, backs are blue."
 
 
 @dataclass(frozen=True)
 class Actuation(Result):
-    """block: as report.json has it. design: native Design. deviations: of each state that there
-    is the mean distance of the tiles' fronts from the target (S x M, mm). relaxed: tiles of that state, as a
-    frame (M x 7). The others have an entry a frame: load (one of STATES), time (s), stored energy (N mm),
-    mean stretch ratio of the membranes, and poses (K x M x 7) as whole numbers of `steps` (7)."""
+    """block: of report.json. design: native Design. deviations: mean distance of the tiles' fronts from the
+    target in each state reached (S x M, mm). relaxed: tiles of that state, as a frame (M x 7). An entry for
+    each of K frames: loads (of STATES), time (s), stored energy (N mm), mean stretch ratio of the membranes,
+    poses (K x M x 7, integers in units of `steps`, 7)."""
 
     block: Mapping[str, Any]
     design: Any
@@ -38,12 +38,12 @@ class Actuation(Result):
     steps: np.ndarray
 
     def frame(self, number: int) -> np.ndarray:
-        """One of `frames`, without the others."""
+        """A frame, M x 7."""
         return self.poses[number] * self.steps
 
     @property
     def frames(self) -> np.ndarray:
-        """K x M x 7: how each tile has moved from its place in the actuated design, x, y, z (mm) and a unit
+        """Motion of each tile from its place in the actuated design, K x M x 7: x, y, z (mm) and a unit
         quaternion (w, x, y, z)."""
         return self.poses * self.steps
 
@@ -53,13 +53,13 @@ class Actuation(Result):
 
     @property
     def states(self) -> dict[str, Mapping[str, Any]]:
-        """Blocks of the states that there are, by name."""
+        """Blocks of the states reached, by name."""
         return states(self.block)
 
     @property
     def is_known(self) -> bool:
         """True where the piece comes to rest in all states."""
-        return len(self.states) == len(STATES) and all(one["converged"] for one in self.states.values())
+        return len(self.states) == len(STATES) and all(state["converged"] for state in self.states.values())
 
     @property
     def built(self) -> str:
@@ -87,7 +87,8 @@ class Actuation(Result):
         return findings(self.block)
 
     def warnings(self) -> Sequence[Finding]:
-        return [one for one in self.findings() if one.group in ("actuation_restless", "actuation_stopped")]
+        return [finding for finding in self.findings()
+                if finding.group in ("actuation_restless", "actuation_stopped")]
 
     def pictures(self) -> Sequence[Picture]:
         if not len(self.time):
@@ -97,11 +98,11 @@ class Actuation(Result):
                         {"piece": self}),)
 
     def rows(self, seconds: float) -> Sequence[Row]:
-        return (Row("actuate", seconds, sum(one["steps"] for one in self.states.values())),)
+        return (Row("actuate", seconds, sum(state["steps"] for state in self.states.values())),)
 
 
 def states(block: Mapping[str, Any]) -> dict[str, Mapping[str, Any]]:
-    """States of a block of report.json that there are, by name."""
+    """States reached in a block of report.json, by name."""
     return {name: block[name] for name in STATES if block[name]}
 
 
@@ -112,16 +113,16 @@ def findings(block: Mapping[str, Any]) -> list[Finding]:
 
 
 def _expected(block: Mapping[str, Any]) -> list[Finding]:
-    """Shape that the built piece is expected to have; none where a state that says it is missing."""
-    found, spread = states(block), block["spread"]["mean_mm"]
-    if not spread or not found.get("pressed", {}).get("converged"):
+    """Expected shape of the built piece; empty where the states that tell it are missing."""
+    reached, spread = states(block), block["spread"]["mean_mm"]
+    if not spread or not reached.get("pressed", {}).get("converged"):
         return []
-    shaken, count = found[SHAKEN], len(found[SHAKEN]["open_contacts"])
+    shaken, count = reached[SHAKEN], len(reached[SHAKEN]["open_contacts"])
     return [Finding.about("actuation_expected.open" if count else "actuation_expected.closed",
                           (tile for pair in shaken["open_contacts"] for tile in pair),
                           mean=shaken["mean_mm"], largest=shaken["max_mm"], low=spread[0], high=spread[1],
                           open=count, count=block["contacts"],
-                          pressed=found["pressed"]["mean_mm"])]
+                          pressed=reached["pressed"]["mean_mm"])]
 
 
 def _of_state(name: str, state: Mapping[str, Any], contacts: int) -> Finding:
@@ -144,10 +145,14 @@ def _run(inputs: Inputs, job: Job) -> Actuation:
     design = inputs["design"].design.with_parameters(inputs.parameters)
     with translated(inputs.where):
         piece = native.actuate_design(design, job)
-    frames = np.stack(piece.frames) if piece.frames else np.empty((0, len(design.F), 7))
+    path = piece.frames
+    frames = np.array([frame.tiles for frame in path]).reshape(-1, len(design.F), 7)
     steps = np.maximum(np.abs(frames).max((0, 1), initial=0), 1e-9) / np.iinfo(np.int32).max
-    return Actuation(piece.block, design, piece.deviations, piece.relaxed, tuple(piece.loads), piece.time,
-                     piece.energy, piece.stretch, np.round(frames / steps).astype("<i4"), steps)
+    time, energy, stretch = (np.array([getattr(frame, name) for frame in path])
+                             for name in ("time", "energy", "stretch"))
+    return Actuation(piece.block, design, np.array(piece.deviations), piece.relaxed,
+                     tuple(frame.load for frame in path), time, energy, stretch,
+                     np.round(frames / steps).astype("<i4"), steps)
 
 
 STAGE = Stage("actuation", ("design",), settle.PARTS, _run, label="From flat to shape", asked_by=("actuate",))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cuts as they are given: vertex pairs of the remeshed target, or polylines in mm."""
+"""Given cuts: vertex pairs of the remeshed target, or polylines in mm."""
 
 from __future__ import annotations
 
@@ -18,14 +18,13 @@ from .suggestions import CutSearch
 
 @dataclass(frozen=True)
 class CutRequest(Result):
-    """What a cuts file asks for, and what was accepted of a search; `where` names the file in
-    messages."""
+    """Cuts of a file (`where`) and those accepted of a search."""
 
     edges: np.ndarray = field(default_factory=lambda: np.zeros((0, 2), np.int32))
     polylines: tuple[np.ndarray, ...] = ()
     where: str = ""
-    suggested: int = 0                       # how many cuts are looked for besides
-    accepted: Optional[CutSearch] = None   # the search whose cuts are among the edges
+    suggested: int = 0                       # number of cuts to search for besides
+    accepted: Optional[CutSearch] = None     # the search whose cuts are among the edges
 
     def __bool__(self) -> bool:
         return len(self.edges) > 0 or len(self.polylines) > 0
@@ -38,7 +37,7 @@ class CutRequest(Result):
         return self.accepted.rows(self.accepted.seconds) if self.accepted else ()
 
     def accept(self, search: CutSearch) -> "CutRequest":
-        """With the cuts that a search found: in the order of their making."""
+        """The request with the cuts of a search, in their order."""
         edges = np.vstack([search.before, *(cut.edges for cut in search.cuts)]).astype(np.int32)
         return replace(self, edges=edges, polylines=(), suggested=0, accepted=search)
 
@@ -56,7 +55,7 @@ def read_cuts(path: Path) -> CutRequest:
 
 
 def resolve_cuts(request: CutRequest, V: np.ndarray, F: np.ndarray) -> np.ndarray:
-    """The mesh edges to cut, C x 2, each once and in ascending order."""
+    """Mesh edges to cut, C x 2, each once and in ascending order. Raises CurveUpsError."""
     edges = [tuple(sorted(edge)) for edge in request.edges.tolist()]
     interior = interior_edges(F)
     for edge in edges:
@@ -75,7 +74,7 @@ def resolve_cuts(request: CutRequest, V: np.ndarray, F: np.ndarray) -> np.ndarra
 
 
 def read_json_object(path: Path) -> dict:
-    """A JSON file that holds an object; every way in which it can be broken is one line."""
+    """Object of a JSON file. Raises CurveUpsError."""
     def refuse(text: str) -> None:
         raise ValueError(f"{text} is no number")
 
@@ -116,7 +115,7 @@ def _polylines(rows: Any, where: str) -> list[np.ndarray]:
 
 def _snap(line: np.ndarray, number: int, V: np.ndarray, F: np.ndarray, size: float,
           where: str) -> list[tuple[int, int]]:
-    """The shortest path along edges from the vertex nearest to each point to the next."""
+    """Edges of the shortest path through the vertices nearest to the points."""
     used = V[np.unique(F)]
     for point in line:
         distance = float(np.linalg.norm(used - point, axis=1).min())
@@ -136,14 +135,14 @@ def interior_edges(F: np.ndarray) -> set[tuple[int, int]]:
 
 
 def mesh_edges(F: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Every edge once, as its two vertices in ascending order (E x 2), and how many faces have it."""
+    """Edges, each once as its vertices in ascending order (E x 2), and the number of faces at each."""
     sides = np.sort(F[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
     pairs, faces = np.unique(sides, axis=0, return_counts=True)
     return pairs, faces
 
 
 def sides_of_edges(F: np.ndarray) -> dict[tuple[int, int], list[tuple[int, int]]]:
-    """The tiles at each edge (its vertices, the lower first), with which side (0 to 2) of theirs it is."""
+    """Tiles at each edge (its vertices, the lower first), each with its side (0 to 2) there."""
     sides: dict[tuple[int, int], list[tuple[int, int]]] = {}
     for tile, face in enumerate(np.asarray(F).tolist()):
         for k in range(3):

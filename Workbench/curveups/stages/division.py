@@ -1,10 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cuts of the target, and its pieces where one layout can't do it all: closed, with handles, stretched far.
-
-Pieces are decided on the remeshed target as cuts are: borders between them are cut, and what inside of a
-piece keeps it from lying flat. They are a result like any other, so that the same target and parameters
-give the same pieces, and a document keeps them.
-"""
+"""Cuts of the target, and its division into pieces where it can't lie flat as a whole: closed surfaces,
+handles, much stretch. Pieces are separated by cuts along their borders; slits let each lie flat."""
 
 from __future__ import annotations
 
@@ -14,20 +10,20 @@ from typing import Any, Optional, Sequence
 import numpy as np
 
 from ..base.errors import CurveUpsError
-from ..base.findings import Finding, settle
+from ..base.findings import Finding, require_no_error
 from ..base.native import native, translated
 from .cut_request import CutRequest, resolve_cuts
 from .feasibility import too_stretched
 from .stage import Inputs, Job, Result, Row, Stage, digest
 
 MOST_TRIED = 12    # numbers of pieces that auto tries
-LEAST_TILES = 12   # of a piece, on average: native divide_surface refuses more pieces
+LEAST_TILES = 12   # of a piece, on average: native divide_surface raises for more pieces
 
 
 @dataclass(frozen=True)
 class Division(Result):
-    """edges: C x 2 vertices of the target, all cuts: those that are asked for, borders of pieces, slits
-    inside of them; given: those that are asked for; piece: M, from 0."""
+    """edges: C x 2 vertices of the target, all cuts: given ones, borders of pieces, slits. given: C' x 2.
+    piece: M, from 0."""
 
     edges: np.ndarray
     given: np.ndarray
@@ -44,7 +40,7 @@ class Division(Result):
 
 
 def all_cuts(request: CutRequest, V: np.ndarray, F: np.ndarray, parameters: Any, job: Job) -> np.ndarray:
-    """C x 2: the cuts that are asked for, and those between and inside of pieces."""
+    """All cuts of a target, C x 2: given ones, borders of pieces, slits."""
     return _divide(resolve_cuts(request, V, F), V, F, parameters, job).edges
 
 
@@ -58,12 +54,11 @@ def _divide(given: np.ndarray, V: np.ndarray, F: np.ndarray, parameters: Any, jo
     least = np.inf
     for count in range(1, min(MOST_TRIED, max(1, len(F) // LEAST_TILES)) + 1):
         job(f"dividing into {count} piece{'s' if count > 1 else ''}")
-        # A surface that can lie flat in one piece stays as it is.
-        made = (Division(given, given, native.pieces_of_faces(V, F, given), asked) if count == 1
-                else _divided(given, V, F, count, asked, job))
-        share = _worst(made, V, F, parameters)
+        division = (Division(given, given, native.pieces_of_faces(V, F, given), asked) if count == 1
+                    else _divided(given, V, F, count, asked, job))
+        share = _worst(division, V, F, parameters)
         if share < least:
-            best, least = made, share
+            best, least = division, share
         if share == 0:
             break
     if best is None or not np.isfinite(least):
@@ -77,10 +72,10 @@ def _divide(given: np.ndarray, V: np.ndarray, F: np.ndarray, parameters: Any, jo
 def _divided(given: np.ndarray, V: np.ndarray, F: np.ndarray, count: int, asked: str,
              job: Job) -> Division:
     with translated(f"pieces={asked}"):
-        made = native.divide_surface(V, F, given, count, job)
-    edges = np.vstack([given, made.borders, made.slits]).astype(np.int32).reshape(-1, 2)
+        pieces = native.divide_surface(V, F, given, count, job)
+    edges = np.vstack([given, pieces.borders, pieces.slits]).astype(np.int32).reshape(-1, 2)
     division = Division(np.array(sorted(map(tuple, edges.tolist())), np.int32).reshape(-1, 2), given,
-                        np.asarray(made.piece, np.int32), asked)
+                        np.asarray(pieces.piece, np.int32), asked)
     if _count(division) == count or asked == "auto":
         return division
     return _warned(division, "pieces", count=_count(division), asked=count)
@@ -95,8 +90,8 @@ def _count(division: Division) -> int:
 
 
 def _worst(division: Division, V: np.ndarray, F: np.ndarray, parameters: Any) -> float:
-    """The largest share of a piece's tiles that the flat map stretches too far; 0 where all pieces are within
-    what membranes bear, infinite where one has no flat map."""
+    """Largest share of a piece's tiles that the flat map stretches too far; infinite where a piece has no
+    flat map."""
     figures = native.target_figures(V, F, division.edges, parameters)
     stretch = np.asarray(figures.stretch)
     if np.isnan(stretch).any():
@@ -112,7 +107,7 @@ def _run(inputs: Inputs, job: Job) -> Division:
 
 
 def _parts(parameters: Any) -> frozenset[str]:
-    """What membranes bear is asked for by auto alone."""
+    """Readers of the parameters; auto alone estimates the stretch of membranes."""
     return frozenset({"pieces", "tiles", "layout"} if parameters.get("pieces") == "auto" else {"pieces"})
 
 
@@ -134,8 +129,7 @@ class Cuts(Result):
 def _check(inputs: Inputs, job: Job) -> Cuts:
     V, F = inputs["target smoothing"].V, inputs["target"].F
     edges = inputs["division"].edges
-    errors = [one for one in native.check_target(V, F, edges, inputs.parameters) if one.is_error]
-    settle(errors, inputs.where)
+    require_no_error(native.check_target(V, F, edges, inputs.parameters), inputs.where)
     return Cuts(edges)
 
 

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Finds which parts of a target can become tiles, before any layout: margins of every tile and contact.
+"""Margins of every tile and contact of a target, before any layout, and the tiles that they block.
 
-Folds, back faces, pins and overlaps of bodies are closed forms of the mesh, the same that a design is
-refused by: what they block is certain. Where pins run into parts that face them, and where membranes cut
-into tiles or are slack, depends on the layout: that is estimated from pins that stand as near to corners
-as they may, and from the conformal map with which layouts begin. The limits of these estimates are those
-at which designs began to fail.
+Folds, back faces, pins and overlaps of bodies are closed forms of the mesh, as for designs: these obstacles
+are certain. Pins that run into parts facing them, and membranes that cut into tiles or are slack, depend on
+the layout: they are estimated from pins as near to corners as possible, and from the conformal map with
+which layouts begin. The limits of these estimates are those at which designs began to fail.
 """
 
 from __future__ import annotations
@@ -23,16 +22,16 @@ from .stage import Inputs, Job, Result, Stage, digest
 
 _SIDES = ("front", "back")
 LEAST_BACK_FACE = 1e-3  # of the front face's length
-# Estimates. A membrane sags: it passes this part of H_pin below the tops of the pins around a corner.
+# Estimates. A membrane sags below the tops of the pins around a corner by this part of H_pin.
 SAG = 0.3
-# Layouts differ from their conformal map: they even out tiles so far beyond the range of stretch, and bear
-# the rest where it is a small share of all tiles.
+# Layouts even out stretch of the conformal map up to these factors beyond the range, and beyond them for this
+# share of all tiles.
 TOO_SLACK, TOO_NARROW, SHARE = 1.2, 0.7, 0.05
 
 
 @dataclass(frozen=True)
 class Obstacle(Value):
-    """Why a tile can't be made; not `certain`: by an estimate."""
+    """Reason why a tile can't be made; certain: not an estimate."""
 
     why: Finding
     certain: bool = True
@@ -49,9 +48,8 @@ class Obstacle(Value):
 
 @dataclass(frozen=True)
 class TileFigure(Value):
-    """A figure of every tile (NaN where there is none) beside the value that it needs: at least that, or at
-    most (`most`). obstacle, side: of tiles that miss it, where the figure has a side; estimate: such an
-    obstacle is not certain."""
+    """A figure of every tile (NaN: none) and its bound: least value, or largest (`most`). obstacle, side: of
+    the tiles beyond the bound; side may be empty. estimate: such an obstacle is not certain."""
 
     name: str
     values: np.ndarray  # M
@@ -62,29 +60,29 @@ class TileFigure(Value):
     most: bool = False
 
     def worst(self) -> Optional[int]:
-        """The tile with the worst value; None where there is no value."""
+        """Tile with the worst value; None without values."""
         if np.isnan(self.values).all():
             return None
         return int(np.nanargmax(self.values) if self.most else np.nanargmin(self.values))
 
     def short(self, blocked: Sequence[Obstacle]) -> int:
-        """How many tiles miss it."""
-        return len({one.tile for one in blocked if one.obstacle == self.obstacle
-                    and self.side in ("", one.why.figures.get("side"))})
+        """Number of tiles beyond the bound."""
+        return len({obstacle.tile for obstacle in blocked if obstacle.obstacle == self.obstacle
+                    and self.side in ("", obstacle.why.figures.get("side"))})
 
 
 @dataclass(frozen=True)
 class Feasibility(Result):
-    """M tiles, N contacts. `blocked`: in the order of tiles, of which one may be there several times."""
+    """M tiles, N contacts. blocked: in the order of tiles; a tile may have several obstacles."""
 
-    V: np.ndarray                 # as pins have made room for themselves
+    V: np.ndarray                 # after smoothing for pins
     F: np.ndarray
     blocked: tuple[Obstacle, ...]
     figures: tuple[TileFigure, ...]
     contacts: np.ndarray          # N x 2 tiles
     dihedral: np.ndarray          # N, degrees, convex positive
     dihedral_margin: np.ndarray   # N, degrees by which it could grow before a back face vanishes
-    least_dihedral_margin: np.ndarray  # M, degrees, of the tile's contacts; NaN: it has none
+    least_dihedral_margin: np.ndarray  # M, degrees, over the tile's contacts; NaN: it has none
     back_scale: np.ndarray        # M: back face's length over the front's
     interface_share: np.ndarray   # N: interface's back edge over its front edge; NaN: no back faces
     pin_area_margin: np.ndarray   # M x 2, mm2: largest pin's area less A_pin_min; NaN: no back faces
@@ -99,7 +97,7 @@ class Feasibility(Result):
 
     @property
     def feasible(self) -> bool:
-        """Whether nothing is known or expected to be in the way; contact forces are not looked at."""
+        """True without obstacles; contact forces are not considered."""
         return not self.blocked
 
     @property
@@ -108,8 +106,8 @@ class Feasibility(Result):
 
 
 def examine(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any) -> Feasibility:
-    """The margins of a remeshed target that is cut along `edges` (C x 2). Raises native errors where it is no
-    mesh of tiles at all."""
+    """Margins of a remeshed target that is cut along `edges` (C x 2). Raises native errors where it is no
+    mesh of tiles."""
     get, count = parameters.get, len(F)
     margins = native.target_figures(V, F, edges, parameters)
     contacts, dihedral_margin = np.asarray(margins.contacts), np.asarray(margins.dihedral_margin)
@@ -146,7 +144,7 @@ def examine(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any) ->
         (of_least, TOO_NARROW, "stretch", "", True), (of_most, TOO_SLACK, "stretch", "", True, True),
         (np.bincount(pairs, minlength=count).astype(float), 0.0, "overlap", "", False, True))
     return Feasibility(
-        V, F, tuple(sorted(blocked, key=lambda one: one.tile)),
+        V, F, tuple(sorted(blocked, key=lambda obstacle: obstacle.tile)),
         tuple(TileFigure(name, *figure) for name, figure in zip(MARGINS, figures)), contacts,
         np.asarray(margins.dihedral), dihedral_margin, least_dihedral_margin, np.asarray(margins.back_scale),
         share, pin_area - get("A_pin_min"), clearance, stretch, ranges,
@@ -158,7 +156,7 @@ def _obstacle(kind: str, tile: int, certain: bool = True, **figures: Any) -> Obs
 
 
 def _too_small(kind: str, figure: str, values: np.ndarray, least: float, certain: bool) -> Iterator[Obstacle]:
-    """Sides of tiles (values: M x 2) that have less; figure: what sentences call the value."""
+    """Obstacles of sides (values: M x 2) below `least`. figure: name of the value in sentences."""
     with np.errstate(invalid="ignore"):
         small = np.argwhere((values < least) | (values <= 0))
     for tile, side in small:
@@ -167,14 +165,14 @@ def _too_small(kind: str, figure: str, values: np.ndarray, least: float, certain
 
 
 def _in_pairs(kind: str, pairs: np.ndarray, certain: bool) -> Iterator[Obstacle]:
-    """Of either tile the other."""
+    """Obstacles of both tiles of each pair."""
     for a, b in (*pairs, *pairs[:, ::-1]):
         yield _obstacle(kind, a, certain, other=(int(b),))
 
 
 def _meeting(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, others: np.ndarray
              ) -> np.ndarray:
-    """Pairs whose pins meet, but for those whose bodies do."""
+    """Pairs whose pins meet, without the pairs whose bodies overlap (`others`)."""
     known = {tuple(sorted(pair)) for pair in others.tolist()}
     pairs = [pair for pair in native.facing_pins(V, F, edges, parameters) if tuple(pair) not in known]
     return np.array(pairs, np.int32).reshape(-1, 2)
@@ -190,8 +188,8 @@ def _badly_stretched(stretch: np.ndarray, ranges: np.ndarray) -> Iterator[Obstac
 
 
 def too_stretched(stretch: np.ndarray, ranges: np.ndarray) -> np.ndarray:
-    """Of each tile of a map whether it is beyond the range of stretch that it can do with, as Feasibility has
-    them; none where a layout evens that out."""
+    """True for each tile of a map stretched beyond its range (Feasibility.stretch_range); false for all where
+    a layout evens that out."""
     with np.errstate(invalid="ignore"):
         slack, narrow = stretch > TOO_SLACK * ranges[:, 1], stretch < TOO_NARROW * ranges[:, 0]
     # One scale for the whole map: where it must be too large for some, it is too small for others.
@@ -201,12 +199,12 @@ def too_stretched(stretch: np.ndarray, ranges: np.ndarray) -> np.ndarray:
 def _run(inputs: Inputs, job: Job) -> Feasibility:
     V, edges, F = inputs["target smoothing"].V, inputs["division"].edges, inputs["target"].F
     job("checking tiles")
-    found = examine(V, F, edges, inputs.parameters)
-    if not any(one.obstacle == "fold" for one in found.blocked):
+    margins = examine(V, F, edges, inputs.parameters)
+    if not any(obstacle.obstacle == "fold" for obstacle in margins.blocked):
         moved_V, moved = smooth_for_pins(V, F, edges, inputs.parameters, job)
         if moved:
             return replace(examine(moved_V, F, edges, inputs.parameters), reached=len(moved["pin_sides"]))
-    return found
+    return margins
 
 
 STAGE = Stage("feasibility", ("target", "target smoothing", "division"),

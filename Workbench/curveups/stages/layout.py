@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import time
 from dataclasses import dataclass
-from typing import Any, Optional, Sequence
+from typing import Any, Mapping, Optional, Sequence
 
 from ..base.findings import Finding
 from ..base.native import native
@@ -15,38 +15,34 @@ from .stage import Inputs, Job, Result, Row, Stage
 
 @dataclass(frozen=True)
 class Layout(Result):
-    """The design as it is laid out, and how that went."""
+    """The design after layout."""
 
     design: Any             # native Design
-    converged: bool
     was_stopped: bool
-    iterations: int
-    collision_rounds: int
-    separations: int
-    largest_violation_mm: float
-    energies: dict[str, float]
-    flatten_seconds: float  # up to the first step
+    block: Mapping[str, Any]  # of report.json
+    flatten_seconds: float    # up to the first step
 
     @property
     def content(self) -> str:
         return design_digest(self.design)
 
     @property
+    def converged(self) -> bool:
+        return bool(self.block["converged"])
+
+    @property
     def unsettled(self) -> Optional[Finding]:
-        """What to say of a layout that the optimiser gave up; None where it settled."""
+        """Reason for doubt where the optimiser did not converge; or None."""
         if self.converged or self.was_stopped:
             return None
-        return Finding.about("unsettled", iterations=self.iterations)
+        return Finding.about("unsettled", iterations=self.block["iterations"])
 
     def report(self) -> dict[str, Any]:
-        return {"layout": {"converged": self.converged, "iterations": self.iterations,
-                           "collision_rounds": self.collision_rounds, "separations": self.separations,
-                           "largest_violation_mm": self.largest_violation_mm,
-                           "energies": dict(self.energies)}}
+        return {"layout": dict(self.block)}
 
     def rows(self, seconds: float) -> Sequence[Row]:
         return (Row("flatten", self.flatten_seconds),
-                Row("layout", seconds - self.flatten_seconds, self.iterations))
+                Row("layout", seconds - self.flatten_seconds, self.block["iterations"]))
 
 
 def _run(inputs: Inputs, job: Job) -> Layout:
@@ -59,14 +55,12 @@ def _run(inputs: Inputs, job: Job) -> Layout:
             first.append(time.perf_counter() - start)
         return job(what, fraction)
 
-    found = native.solve_layout(smoothed.V, target.F, edges, inputs.parameters, progress,
-                                job.listener("layout"))
-    design = native.Design(inputs["source"].name, inputs.parameters, smoothed.V, target.F, found.T, found.q,
-                           edges,
-                           None if smoothed.moved is None else (inputs["target smoothing"].V, target.F))
-    return Layout(design, bool(found.converged), bool(found.stopped), int(found.iterations),
-                  int(found.collision_rounds), int(found.separations), found.largest_violation_mm,
-                  {name: float(value) for name, value in found.energies.items()}, first[0] if first else 0.0)
+    laid_out = native.solve_layout(smoothed.V, target.F, edges, inputs.parameters, progress,
+                                   job.listener("layout"))
+    moved_from = None if smoothed.moved is None else (inputs["target smoothing"].V, target.F)
+    design = native.Design(inputs["source"].name, inputs.parameters, smoothed.V, target.F, laid_out.T,
+                           laid_out.q, edges, moved_from)
+    return Layout(design, laid_out.stopped, laid_out.block, first[0] if first else 0.0)
 
 
 STAGE = Stage("layout", ("source", "target", "target smoothing", "cuts", "pin smoothing"),

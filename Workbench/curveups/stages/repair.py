@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Repair of weak contacts: poses, pins and, where these do not do, vertices (Eq. 3)."""
+"""Repair of weak contacts: poses, pins and, where these are not enough, vertices (Eq. 3)."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ _ADVICE = ("advice.cut_gaps", "advice.pin_room", "advice.pull")  # where contact
 
 @dataclass(frozen=True)
 class Repair(Result):
-    """The design as it is after repair: the layout's own where none was needed."""
+    """The design after repair; the layout's own where none was needed."""
 
     design: Any
     verification: Optional[Result] = None     # of the design, where it is known
     status: str = ""                          # empty where repair did not run
     block: Optional[dict] = None              # of report.json
-    blocked: tuple[dict, ...] = ()            # contacts that stay weak: tiles, reason
+    blocked: tuple[Finding, ...] = ()         # why contacts stay weak
     suggestions: tuple[Finding, ...] = ()
     warned: tuple[Finding, ...] = ()
 
@@ -40,7 +40,7 @@ class Repair(Result):
         return {} if self.block is None else {"repair": self.block}
 
     def advice(self) -> Sequence[Finding]:
-        return [contact["reason"] for contact in self.blocked]
+        return self.blocked
 
     def rows(self, seconds: float) -> Sequence[Row]:
         return (Row("refine", seconds, len(self.block["steps"])),) if self.block else ()
@@ -49,38 +49,34 @@ class Repair(Result):
 def _run(inputs: Inputs, job: Job) -> Repair:
     before, verified = inputs["layout"].design, inputs["verification of the layout"]
     known = verified.verification
-    asked = inputs.parameters.get("run_repair")
-    does = known.valid and not inputs.parameters.get("self_shaping")
-    if does or known.note or known.failure or not asked:
+    needless = known.valid and not inputs.parameters.get("self_shaping")
+    if needless or known.note or known.failure or not inputs.parameters.get("run_repair"):
         return Repair(before, verified.verdict)
     design = before.with_parameters(inputs.parameters)
-    found = native.repair_design(design, job, job.listener("repair"), known.solved)
-    changed = design_digest(found.design) != design_digest(design)
-    blocked: tuple[dict[str, Any], ...] = tuple(
-        {"tiles": list(contact.tiles), "reason": Finding.of(contact.reason)} for contact in found.blocked)
-    suggestions = tuple(map(Finding, _ADVICE)) if blocked else ()
-    if found.breakdown:
-        suggestions += (Finding.about("broken_down", said=found.breakdown),)
-    weak = {frozenset(contact["tiles"]) for contact in blocked}
+    repaired = native.repair_design(design, job, job.listener("repair"), known.solved)
+    changed = design_digest(repaired.design) != design_digest(design)
+    reasons = all_of(contact.reason for contact in repaired.blocked)
+    suggestions = tuple(map(Finding, _ADVICE)) if reasons else ()
+    if repaired.breakdown:
+        suggestions += (Finding.about("broken_down", said=repaired.breakdown),)
+    weak = {frozenset(contact.tiles) for contact in repaired.blocked}
     mended = [list(pair) for pair in known.weak_contacts if frozenset(pair) not in weak] if changed else []
     block = {
-        "status": found.status, "restored_mm": found.restored_mm, "largest_move_mm": found.largest_move_mm,
-        "largest_vertex_move_mm": found.largest_vertex_move_mm,
-        "steps": [{"weak_points": int(step.weak_points), "least_force_of_f_min": step.least_force,
-                   "least_floor_of_f_min": step.least_floor, "vertices": bool(step.vertices),
-                   "fresh_mesh": bool(step.fresh_mesh)} for step in found.steps],
-        "blocked": [{"tiles": contact["tiles"], "reason": str(contact["reason"])} for contact in blocked],
-        "cuts": list(map(str, all_of(found.cuts))),
+        **repaired.block,
+        "blocked": [{"tiles": contact.tiles, "reason": str(reason)}
+                    for contact, reason in zip(repaired.blocked, reasons)],
+        "cuts": list(map(str, all_of(repaired.cuts))),
         "suggestions": list(map(str, suggestions)), "mended": mended,
-        "moved_vertices": moved_vertices(before.V, found.design.V, before.F)}
+        "moved_vertices": moved_vertices(before.V, repaired.design.V, before.F)}
     verdict = verified.verdict
     if changed:
-        verdict = verification_of(found.verification, found.design) if found.verification else None
-    return Repair(found.design if changed else before, verdict, found.status, block, blocked, suggestions)
+        verdict = repaired.verification and verification_of(repaired.verification, repaired.design)
+    return Repair(repaired.design if changed else before, verdict, repaired.status, block, reasons,
+                  suggestions)
 
 
 def _failed(error: CurveUpsError, inputs: Inputs) -> Repair:
-    # No repair can begin from here: the design ends as it is, with the verdict it has.
+    # Repair can't begin: the layout stays, with its verdict.
     return Repair(inputs["layout"].design, inputs["verification of the layout"].verdict,
                   warned=(Finding("repair", (), {"error": error.what}),))
 

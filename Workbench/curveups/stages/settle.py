@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lets the tiles of the finished design settle under their membranes, with friction: whether the shape holds,
-how far membranes and friction may be off until it does not, and the shape that the piece has then."""
+"""Finds where the tiles of the finished design settle under their membranes, with friction: whether the shape
+holds, by how much membranes and friction may differ until it does not, and the settled shape."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from .stage import Inputs, Job, Picture, Result, Row, Stage
 
 @dataclass(frozen=True)
 class Range(Value):
-    """The values of a parameter, all others as they are, at which the shape holds; None at an end where
-    nothing fails in what was searched. `failures`: what fails first beyond either end."""
+    """Values of one parameter at which the shape holds; None at an end without a failure within `searched`.
+    failures: first failure beyond either end."""
 
     parameter: str
     unit: str
@@ -35,12 +35,11 @@ class Range(Value):
 
 @dataclass(frozen=True)
 class Settled(Result):
-    """`holds` is None where that was not asked for, could not be found out or was stopped. `note`: why the
-    verdict has to stay open, where the margin is required."""
+    """holds: None where it is not known. note: why the verdict stays open, where the margin is required."""
 
     holds: Optional[bool] = None
-    block: Mapping[str, Any] = field(default_factory=dict)  # as report.json has it
-    failure: Optional[Finding] = None  # why it does not hold, or why that is not known though it was wanted
+    block: Mapping[str, Any] = field(default_factory=dict)  # of report.json
+    failure: Optional[Finding] = None  # why it does not hold, or why that is not known
     margin: Mapping[str, Any] = field(default_factory=dict)
     friction_needed: Mapping[str, Any] = field(default_factory=dict)
     beyond: tuple[Finding, ...] = ()   # why the margin is not met
@@ -52,7 +51,7 @@ class Settled(Result):
     contact_force: Any = ()            # per contact, normal, N
 
     def report(self) -> dict[str, Any]:
-        window = {"window": [one.report() for one in self.window]} if self.window else {}
+        window = {"window": [row.report() for row in self.window]} if self.window else {}
         blocks = {"settled": self.block, "margin": self.margin, "friction_needed": self.friction_needed}
         return {"holds": self.holds, **(blocks if self.block else {}), **window}
 
@@ -87,29 +86,27 @@ def _run(inputs: Inputs, job: Job) -> Settled:
     try:
         design = inputs["design"].design.with_parameters(values)
         with translated(inputs.where):
-            found = native.settle_design(design, job, inputs["verification"].solved)
-    except CurveUpsError as error:  # however strict the run is: the verdict is known without
+            settled = native.settle_design(design, job, inputs["verification"].solved)
+    except CurveUpsError as error:  # in a strict run too: the verdict is known without
         return _failed(error, inputs)
-    margin, failure = found.margin, _finding(found.failure)
-    beyond = [Finding.of(one) for one in margin.failures if one and one.kind != "margin.unknown"]
-    block = {"mode": margin.mode, "mismatch_percent": margin.mismatch,
-             "friction_coefficient": margin.friction_coefficient, "met": margin.met}
-    needed = {"coefficient": found.friction_needed.coefficient, "tiles": list(found.friction_needed.tiles)}
-    return Settled(found.holds, found.block, failure, block, needed, tuple(beyond),
-                   tuple(map(_range, found.window)),
+    margin, failure = settled.margin, _finding(settled.failure)
+    beyond = [Finding.of(corner) for corner in margin.failures if corner and corner.kind != "margin.unknown"]
+    return Settled(settled.holds, settled.block, failure, margin.block, settled.friction_needed.block,
+                   tuple(beyond), tuple(map(_range, settled.window)),
                    _open(inputs, Finding("margin.unknown")) if margin.met is None else None,
-                   found.iterations, design, np.asarray(found.deviation), np.asarray(found.contact_force))
+                   settled.iterations, design, np.asarray(settled.deviation),
+                   np.asarray(settled.contact_force))
 
 
-def _range(found: Any) -> Range:
-    low, high = found.low, found.high
-    return Range(found.parameter, found.unit, (found.searched[0], found.searched[1]),
+def _range(window: Any) -> Range:
+    low, high = window.ends
+    return Range(window.parameter, window.unit, (window.searched[0], window.searched[1]),
                  (low.value if low.failure else None, high.value if high.failure else None),
                  (_finding(low.failure), _finding(high.failure)))
 
 
-def _finding(found: Any) -> Optional[Finding]:
-    return Finding.of(found) if found else None
+def _finding(failure: Any) -> Optional[Finding]:
+    return Finding.of(failure) if failure else None
 
 
 def _open(inputs: Inputs, why: Finding) -> Optional[Finding]:

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Computes the membranes' sheets: how large they are cut, how they are marked, what holds them stretched.
+"""Sheets of the membranes: cutting sizes, marks, and the loads of the ring that holds them stretched.
 
 A sheet is held by rows of teeth around an open window, which is as large as the anchors' box and a margin.
-The sheet carries a grid of lines, as far apart as the teeth over tau: stretched rightly, each tooth meets a
-crossing. Outside the outer teeth, hands hold the grip. The load on a side is the tension of a sheet stretched
+The sheet has a grid of lines, as far apart as the teeth over tau: stretched rightly, each tooth meets a
+crossing. Hands hold the sheet outside the outer teeth. The load on a side is the tension of a sheet stretched
 alike in both directions (Anchoring) times the window's length there.
 """
 
@@ -22,7 +22,7 @@ SIDES = ("front", "back")
 
 @dataclass(frozen=True)
 class Anchoring(Result):
-    """Pull (N) and shear (MPa) of the glue of one anchor, front and back; nothing without anchors.
+    """Pull (N) and shear (MPa) on the glue of one anchor, front and back; empty without anchors.
 
     Before the surplus is cut off it pulls at the outline (paper, section 6.2) with the tension of a sheet
     that is stretched alike in both directions: of a neo-Hookean one T = G h (1 - tau^-6) N/mm, from the
@@ -68,7 +68,7 @@ ROUND = 5.0         # mm, to which cutting sizes are rounded up
 
 @dataclass(frozen=True)
 class Sheets(Result):
-    """Lengths in mm, x and y of the print; nothing where there are no bodies."""
+    """block: lengths in mm, x and y of the print; empty without bodies."""
 
     block: Mapping[str, Any] = field(default_factory=dict)
 
@@ -77,7 +77,7 @@ class Sheets(Result):
 
 
 def sheets(box: Sequence[float], parameters: Any) -> dict[str, Any]:
-    """The block of report.json for what is glued, of this box (mm) and these native Parameters."""
+    """Block of report.json for a print with this box (mm)."""
     get = parameters.get
     tau = get("tau")
     window = [math.ceil((side + 2 * MARGIN) / TOOTH_PITCH) * TOOTH_PITCH for side in box]
@@ -99,7 +99,7 @@ def _run(inputs: Inputs, job: Job) -> Sheets:
         return Sheets()
     anchors = model.volumes["anchors"] > 0
     points, _, body = model.mesh("anchors" if anchors else "tiles")
-    # The print lies about the origin, and so does the window: what lies furthest out decides.
+    # Print and window are centred on the origin: the farthest point decides.
     x, y = (2 * float(abs(points[:, axis]).max()) for axis in (0, 1))
     return Sheets({"anchors": int(body.max()) + 1 if anchors else 0, **sheets((x, y), inputs.parameters)})
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Limits of the sizes of tiles: up to which length and thickness margins leave nothing in the way of a tile,
-each found by bisection. project/size_choice.py finds sizes by solving."""
+"""Limits of length and thickness within which margins block no tile, each by bisection. Estimates:
+project/size_choice.py finds sizes by solving."""
 
 from __future__ import annotations
 
@@ -27,13 +27,12 @@ FARTHEST, MOST_TILES, LEAST_TILES, THICKEST = 2.5, 1000, 12, 2.0
 
 @dataclass(frozen=True)
 class Limits(Result):
-    """L: ends of the range of lengths, mm; H_body: the largest thickness, mm. None where none was found; a
-    mesh that is given as it is has one length. By estimates of margins alone: contact forces are not looked
-    at, and no vertices are moved."""
+    """L: range of lengths, mm. H_body: largest thickness, mm. None where none was found; a mesh that is not
+    remeshed has one length."""
 
     L: Optional[tuple[float, float]] = None
     H_body: Optional[float] = None
-    remeshed: bool = True  # whether lengths were tried
+    remeshed: bool = True  # lengths were tried
     was_stopped: bool = False
 
     @property
@@ -41,7 +40,7 @@ class Limits(Result):
         return digest(self.L, self.H_body)
 
     def findings(self, L: float, H_body: float) -> Iterator[Finding]:
-        """What to say of them where tiles have this length and thickness, mm."""
+        """Findings for tiles of this length and thickness, mm."""
         if self.was_stopped:
             return
         if self.L is not None:
@@ -55,9 +54,9 @@ class Limits(Result):
         yield Finding("limits.estimated")
 
 
-def unhindered(found: Feasibility) -> bool:
+def unhindered(margins: Feasibility) -> bool:
     """True where no obstacle depends on sizes: closed surfaces stay closed."""
-    return all(one.obstacle == "closed" for one in found.blocked)
+    return all(obstacle.obstacle == "closed" for obstacle in margins.blocked)
 
 
 def can_remesh(target: Any, cuts: CutRequest) -> bool:
@@ -66,7 +65,7 @@ def can_remesh(target: Any, cuts: CutRequest) -> bool:
 
 
 def length_of(tiles: float, target: Any) -> float:
-    """L of about so many tiles on the surface of a target, mm."""
+    """Length L at which a target has about so many tiles, mm."""
     corners = target.source_V[target.source_F]
     double = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
     return math.sqrt(2 * float(double.sum()) / math.sqrt(3) / tiles)
@@ -78,12 +77,12 @@ def value_range(name: str) -> tuple[float, float]:
 
 
 def rounded(value: float) -> float:
-    """To two digits."""
+    """Value rounded to two digits."""
     return float(f"{value:.2g}")
 
 
 def limit(good: float, end: float, works: Callable[[float], bool]) -> float:
-    """The last value that works on the way from one that does to `end`, by bisection among round values."""
+    """Last value that works between `good`, which does, and `end`, by bisection among round values."""
     if good == end or works(end):
         return end
     bad = end
@@ -111,9 +110,9 @@ def _run(inputs: Inputs, job: Job) -> Limits:
         values = with_values(parameters, {"L": value})
         try:
             with translated():
-                made = remesh(target.source_V, target.source_F, value, values, job, target.creases)
-                edges = all_cuts(cuts, made.V, made.F, values, job)
-                return unhindered(examine(made.V, made.F, edges, values))
+                mesh = remesh(target.source_V, target.source_F, value, values, job, target.creases)
+                edges = all_cuts(cuts, mesh.V, mesh.F, values, job)
+                return unhindered(examine(mesh.V, mesh.F, edges, values))
         except CurveUpsError:  # no mesh of tiles
             return False
 

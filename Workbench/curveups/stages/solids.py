@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Solids of a design, what is measured and checked of them, and what the printer makes of it."""
+"""Bodies and solids of a design, their checks, and the limits of printers."""
 
 from __future__ import annotations
 
@@ -15,25 +15,21 @@ from .stage import Inputs, Job, Result, Row, Stage
 
 PRINTERS = Path(__file__).parents[3] / "resources" / "printers"
 KINDS = ("tiles", "support", "anchors")
-# Of both kinds of support: there a slab lies below the pin tops; bridges are broken from the back.
-GLUED_FIRST = "front"
+GLUED_FIRST = "front"  # side: a slab lies below its pin tops; bridges are broken from the back
 
 
 @dataclass(frozen=True)
 class Bodies(Result):
-    """All that is printed, without solids: those are built when they are asked for."""
+    """All printed bodies; native code builds their solids at the first use."""
 
     lasting: ClassVar[bool] = False
-    model: Optional[Any] = None       # native PrintModel; none where the work was stopped or failed
-    warned: tuple[Finding, ...] = ()  # what the bodies lack, though they can be built
-    failure: Optional[Finding] = None  # why there are none
-    joints: Mapping[str, Any] = field(default_factory=dict)  # of report.json, with joint=holes
+    model: Optional[Any] = None        # native PrintModel; None where the work was stopped or failed
+    warned: tuple[Finding, ...] = ()
+    broken: tuple[Finding, ...] = ()   # why there are none
+    joints: Mapping[str, Any] = field(default_factory=dict)  # block of report.json, with joint=holes
 
     def report(self) -> dict[str, Any]:
         return {"joints": dict(self.joints)} if self.joints else {}
-
-    def reasons(self) -> Sequence[Finding]:
-        return (self.failure,) if self.failure else ()
 
     def rows(self, seconds: float) -> Sequence[Row]:
         return (Row("solids", seconds),) if self.model else ()
@@ -47,18 +43,15 @@ def _make(inputs: Inputs, job: Job) -> Bodies:
 
 @dataclass(frozen=True)
 class Solids(Result):
-    """Solids of all bodies, ready to be written; no model where there are none."""
+    """Solids of all bodies; no model where there are none."""
 
     lasting: ClassVar[bool] = False
     model: Optional[Any] = None
-    failure: Optional[Finding] = None
-
-    def reasons(self) -> Sequence[Finding]:
-        return (self.failure,) if self.failure else ()
+    broken: tuple[Finding, ...] = ()
 
     @property
     def kinds(self) -> tuple[str, ...]:
-        """The kinds of which there are bodies."""
+        """Kinds that have bodies."""
         volumes = self.model.volumes if self.model else {}
         return tuple(kind for kind in KINDS if volumes.get(kind, 0) > 0)
 
@@ -89,10 +82,10 @@ def _lacks(model: Any) -> list[Finding]:
 
 PARTS = frozenset({"tiles", "bodies", "support", "files"})
 BODIES = Stage("bodies", ("design",), PARTS, _make, on_stop=lambda stage, inputs: Bodies(),
-               on_failure=lambda error, inputs: Bodies(failure=failed("unprintable", error)),
+               on_failure=lambda error, inputs: Bodies(broken=(failed("unprintable", error),)),
                label="Bodies", asked_by=("build", "print"), judges=True)
 STAGE = Stage("solids", ("bodies",), frozenset(), _build, on_stop=lambda stage, inputs: Solids(),
-              on_failure=lambda error, inputs: Solids(failure=failed("unbuilt", error)),
+              on_failure=lambda error, inputs: Solids(broken=(failed("unbuilt", error),)),
               label="Solids", asked_by=("build", "print"), judges=True)
 
 
@@ -103,8 +96,8 @@ class Check(Result):
     print_block: Mapping[str, Any] = field(default_factory=dict)   # of report.json, without files
     solids_block: Mapping[str, Any] = field(default_factory=dict)
     broken: tuple[Finding, ...] = ()  # reasons
-    warned: tuple[Finding, ...] = ()  # what the printer can't make
-    note: Optional[Finding] = None    # why solids that there are were not looked at
+    warned: tuple[Finding, ...] = ()
+    note: Optional[Finding] = None    # why solids were not checked: the verdict stays open
 
     def report(self) -> dict[str, Any]:
         if not self.print_block:
@@ -140,7 +133,7 @@ def _check(inputs: Inputs, job: Job) -> Check:
 
 
 def amounts(models: Sequence[Any]) -> dict[str, Any]:
-    """Bodies, volumes (cm3) and what is glued (mm2) of native PrintModels that are one print together."""
+    """Bodies, volumes (cm3) and glued areas (mm2) of native PrintModels that are one print together."""
     def volume(kind: str) -> float:
         return float(sum(model.volumes[kind] for model in models) / 1000)
 
@@ -160,7 +153,7 @@ CHECK = Stage("check", ("solids", "figures", "clearances"), frozenset({"check", 
 
 def _printer_warnings(model: Any, parameters: Any, box: Sequence[float], clearance: float, printer: dict
                       ) -> list[Finding]:
-    """What the chosen printer can't make: bed, materials, gaps, features, overhangs."""
+    """Warnings of limits of the printer: bed, materials, gaps, features, overhangs."""
     get, warnings = parameters.get, []
 
     def warn(kind: str, tiles: Iterable[int] = (), **figures: Any) -> None:
@@ -193,13 +186,13 @@ def _printer_warnings(model: Any, parameters: Any, box: Sequence[float], clearan
 
 
 def overhangs(reach: float, parameters: Any, printer: dict) -> bool:
-    """Whether tiles that reach out level so far (mm) beyond their pins need supports of the slicer's."""
+    """True where tiles that overhang their pins by `reach` (mm) need supports by the slicer."""
     most = printer["overhang_mm"]
     return most is not None and not native.support_kind(parameters).soluble and reach > most
 
 
 def too_thin(relaxed: Sequence[Mapping[str, Any]], printer: dict) -> tuple[Finding, ...]:
-    """Why bounds that gave way are beyond a printer, where they are. relaxed: as in report.json."""
+    """Reason where relaxed bounds are below a printer's smallest feature. relaxed: as in report.json."""
     least = printer["smallest_feature_mm"]
     thin = [bound for bound in relaxed if bound["what"] == "p_min" and bound["to"] < least]
     if not thin:
@@ -210,7 +203,7 @@ def too_thin(relaxed: Sequence[Mapping[str, Any]], printer: dict) -> tuple[Findi
 
 
 def _fit_warnings(parameters: Any, printer: dict) -> Sequence[Finding]:
-    """Walls that meet without bumps in between are as far apart as they stand back."""
+    """Warning where walls that meet without bumps do not stand back by as much as prints grow."""
     if parameters.get("bumps") == "bumps" or parameters.get("xy_compensation") >= printer["growth_mm"]:
         return ()
     return (Finding.about("growth", set=parameters.get("xy_compensation"), printer=printer["name"],
@@ -218,35 +211,34 @@ def _fit_warnings(parameters: Any, printer: dict) -> Sequence[Finding]:
 
 
 def read_printer(name: str) -> dict:
-    """What is known of a printer: bed, resolution, smallest gap and feature, growth of walls, how many
-    materials it prints at once, how far it prints level without anything below (None: any), what its material
-    weighs where that is not what is common, sources."""
+    """Data of a printer: bed, resolution, smallest gap and feature, growth of walls, number of materials,
+    largest overhang (None: any), density of its material where it has its own, sources."""
     return json.loads((PRINTERS / f"{name}.json").read_text(encoding="utf-8"))
 
 
 def density_of(printer: str) -> float:
-    """g/cm3, of what a printer prints."""
+    """Density of a printer's material, g/cm3."""
     return float(read_printer(printer).get("density", parameter("density").default))
 
 
 def fits_bed(box: Sequence[float], printer: dict) -> bool:
-    """Whether a print of this size fits, turned by a right angle where that helps."""
+    """True where a print of this size fits, turned by a right angle or not."""
     return fits(box, printer["bed_mm"]) or fits_turned(box, printer)
 
 
 def fits_turned(box: Sequence[float], printer: dict) -> bool:
-    """Whether it fits turned by a right angle alone."""
+    """True where it fits only turned by a right angle."""
     return not fits(box, printer["bed_mm"]) and fits((box[1], box[0], box[2]), printer["bed_mm"])
 
 
 def fits(box: Sequence[float], bed: Sequence[float]) -> bool:
-    """Whether a box fits as it stands. Both: x and y, or x, y and z, mm."""
+    """True where a box fits as it stands. Both are x and y, or x, y and z, mm."""
     return all(side <= room for side, room in zip(box, bed))
 
 
 def joints_of(model: Any, parameters: Any) -> dict[str, Any]:
-    """The block of report.json: edges between pieces, holes, their sizes (mm) and the pairs of tiles (rows of
-    F) without room; empty with joint=none. model: native PrintModel."""
+    """Block of report.json: edges between pieces, holes, their sizes (mm) and the pairs of tiles (rows of F)
+    without room for them; empty with joint=none. model: native PrintModel."""
     if parameters.get("joint") == "none":
         return {}
     joined, closed, holes = model.joints
@@ -255,7 +247,7 @@ def joints_of(model: Any, parameters: Any) -> dict[str, Any]:
 
 
 def not_joined(joints: Mapping[str, Any], parameters: Any) -> Sequence[Finding]:
-    """Warnings: nothing to join, or edges without holes."""
+    """Warning of nothing to join, or of edges without holes."""
     if not joints:
         return ()
     if not joints["edges"]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Suggests cuts for a design that does not hold or is badly stretched."""
+"""Suggests cuts for a target, and for a design that is not valid or badly stretched."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from ..base.findings import Finding, Value, all_of, failed
 from ..base.native import native
 from .stage import Inputs, Job, Picture, Result, Row, Stage
 
-# A layout is badly stretched where the conformal map scales its tiles this differently, or where
-# this share of the membrane between pins is slack.
+# A layout is badly stretched above this ratio of scales of the conformal map, or above this share of slack
+# membrane between pins.
 STRETCHED_SPREAD, STRETCHED_SLACK = 12.0, 0.02
-UNASKED = 2  # cuts that are proposed where none were asked for
+UNASKED = 2  # cuts proposed without a request
 
 
 @dataclass(frozen=True)
@@ -32,7 +32,7 @@ class SuggestedCut(Value):
 
     @property
     def finding(self) -> Finding:
-        """As a sentence says it."""
+        """The cut as a finding."""
         tiles = [tile for reason in self.reasons for tile in reason.tiles]
         about = {"length": self.length_mm, "why": self.reasons}
         if self.before is None or self.after is None:
@@ -47,7 +47,7 @@ class SuggestedCut(Value):
         return str(self.finding)
 
     def entry(self, applied: bool) -> dict:
-        """As in report.json."""
+        """Entry of report.json."""
         return {"edges": [[int(a), int(b)] for a, b in self.edges], "length_mm": self.length_mm,
                 "reason": "; ".join(map(str, self.reasons)), "applied": applied,
                 "predicted": {"before": self.before, "after": self.after}}
@@ -56,18 +56,20 @@ class SuggestedCut(Value):
 def _search(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, most: int,
             weak: Sequence[tuple[int, int]], job: Job) -> tuple[tuple[SuggestedCut, ...], Any]:
     """Cuts in the order of their making, and the native result."""
-    found = native.suggest_cuts(V, F, edges, parameters, most, list(weak), job)
-    return tuple(SuggestedCut(np.array(cut.edges), cut.length_mm, all_of(cut.reasons), _figures(cut.before),
-                              _figures(cut.after)) for cut in found.cuts), found
+    search = native.suggest_cuts(V, F, edges, parameters, most, list(weak), job)
+    return tuple(SuggestedCut(np.array(cut.edges), cut.length_mm, all_of(cut.reasons),
+                              cut.before.block if cut.before else None,
+                              cut.after.block if cut.after else None)
+                 for cut in search.cuts), search
 
 
 @dataclass(frozen=True)
 class CutSearch(Result):
-    """Cuts that a target wants before any layout; CutRequest.accept makes them."""
+    """Cuts suggested for a target before any layout; CutRequest.accept makes them."""
 
-    before: np.ndarray  # the cuts there are
+    before: np.ndarray  # existing cuts
     cuts: tuple[SuggestedCut, ...]
-    layouts: int        # drafts that were solved
+    layouts: int        # number of draft layouts
     seconds: float
 
     def rows(self, seconds: float) -> Sequence[Row]:
@@ -78,10 +80,10 @@ def _search_target(inputs: Inputs, job: Job) -> CutSearch:
     start, edges = time.perf_counter(), inputs["cuts"].edges
     most = inputs["cut request"].suggested
     V, F = inputs["target smoothing"].V, inputs["target"].F
-    cuts, found = _search(V, F, edges, inputs.parameters, most, (), job)
-    if found.stopped:
+    cuts, search = _search(V, F, edges, inputs.parameters, most, (), job)
+    if search.stopped:
         raise Stopped
-    return CutSearch(edges, cuts, int(found.layouts), time.perf_counter() - start)
+    return CutSearch(edges, cuts, search.layouts, time.perf_counter() - start)
 
 
 SEARCH = Stage("cut search", ("target", "target smoothing", "cut request", "cuts"),
@@ -90,23 +92,15 @@ SEARCH = Stage("cut search", ("target", "target smoothing", "cut request", "cuts
                label="Cuts", asked_by=("cuts",))
 
 
-def _figures(figures: Any) -> Optional[dict]:
-    if figures is None:
-        return None
-    return {"scale_spread": figures.scale_spread, "area_ratio": figures.area_ratio,
-            "energy_per_contact": figures.energy_per_contact, "spring_mean": figures.spring_mean,
-            "slack_springs": int(figures.slack_springs)}
-
-
 @dataclass(frozen=True)
 class Suggestions(Result):
-    """Cuts that were made because they were asked for, those that are proposed, what helps in general."""
+    """Cuts that were made on request, proposed cuts, general advice."""
 
     applied: tuple[SuggestedCut, ...] = ()
     proposed: tuple[SuggestedCut, ...] = ()
-    general: tuple[Finding, ...] = ()   # of repair, where nothing better is known
-    stretch: Optional[dict] = None    # how far the layout is stretched
-    badly: bool = False
+    general: tuple[Finding, ...] = ()   # of repair, without proposed cuts
+    stretch: Optional[dict] = None      # figures of the layout
+    badly: bool = False                 # stretched
     searched: bool = False
     was_stopped: bool = False
     failure: Optional[Finding] = None
@@ -151,7 +145,7 @@ def _run(inputs: Inputs, job: Job) -> Suggestions:
     layout, verification, repair = inputs["layout"], inputs["verification"], inputs["repair"]
     design = inputs["design"].design.with_parameters(inputs.parameters)
     applied, general = _applied(inputs), repair.suggestions
-    stretch = _figures(native.layout_figures(design)) or {}
+    stretch = native.layout_figures(design).block
     contacts = inputs["figures"].report()["contacts"]
     badly = (stretch["scale_spread"] > STRETCHED_SPREAD
              or stretch["slack_springs"] > STRETCHED_SLACK * 2 * contacts)
@@ -160,7 +154,7 @@ def _run(inputs: Inputs, job: Job) -> Suggestions:
         return Suggestions(applied, general=general, stretch=stretch, design=design)
     proposed, search = _search(inputs["target smoothing"].V, inputs["target"].F, design.cuts,
                                inputs.parameters, UNASKED, verification.weak_contacts, job)
-    return Suggestions(applied, proposed, general, stretch, badly, True, bool(search.stopped), design=design)
+    return Suggestions(applied, proposed, general, stretch, badly, True, search.stopped, design=design)
 
 
 def _ended(inputs: Inputs, **how: Any) -> Suggestions:

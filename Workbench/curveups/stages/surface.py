@@ -21,12 +21,11 @@ from .stage import Inputs, Job, Result, Stage, digest
 
 @dataclass(frozen=True)
 class Source(Result):
-    """Given by the user: a built-in target, a file, or an object of a document, which `read` makes
-    triangles of (largest deviation in the object's own unit, what of it is wanted). `stamp` tells states of
-    a file or an object apart. `remesh`: otherwise the mesh is taken as it is. `will_be_cut`: whether a closed
-    surface makes sense."""
+    """Target as given by the user: a built-in name, a file, or an object of a document, triangulated by
+    `read` (largest deviation in the object's own unit, choice of its faces). stamp: digest of the file's or
+    object's state. remesh: False takes the mesh as it is. will_be_cut: closed surfaces are accepted."""
 
-    name: str           # as titles have it; files are named by output.safe_name of it
+    name: str           # for titles; output.safe_name of it for files
     built_in: str = ""
     path: str = ""
     remesh: bool = True
@@ -37,19 +36,19 @@ class Source(Result):
 
     @property
     def content(self) -> str:
-        # Neither what it is called nor where it lies: a document is copied together with its target.
+        # Without name and path: documents are copied together with their targets.
         return digest(self.built_in, self.stamp, self.remesh, self.will_be_cut)
 
 
 @dataclass(frozen=True)
 class Surface(Result):
-    """V (N x 3, mm) and F (M x 3, counter-clockwise from the front): what the user gave."""
+    """V (N x 3, mm) and F (M x 3, counter-clockwise from the front) as given."""
 
     V: np.ndarray
     F: np.ndarray
-    notes: tuple[str, ...] = ()    # on what of a CAD part it is
-    wall: Optional[float] = None   # how thick that is drawn, mm; None: as a sheet
-    # Sides of faces (E x 2 vertices) where a CAD part bends by more than crease_angle; None of what is none.
+    notes: tuple[str, ...] = ()    # on the chosen faces of a CAD part
+    wall: Optional[float] = None   # thickness as drawn, mm; None: a sheet
+    # Edges (E x 2 vertices) where a CAD part bends by more than crease_angle; None for other targets.
     creases: Optional[np.ndarray] = None
 
     @property
@@ -63,8 +62,7 @@ def _run(inputs: Inputs, job: Job) -> Surface:
     choice = Choice(get("skin"), get("faces"), get("open"), get("crease_angle"))
 
     def read(scale: float) -> Read:
-        # A tenth of what remeshing may move a vertex, in the target's own coordinates: they are scaled
-        # afterwards.
+        # A tenth of the distance by which remeshing may move a vertex, in unscaled coordinates.
         deflection = 0.0005 * get("L") / scale
         if source.built_in:
             return Read(*native.builtin_target(source.built_in, min(max(deflection, 1e-4), 1.0)))
@@ -74,11 +72,11 @@ def _run(inputs: Inputs, job: Job) -> Surface:
         return read_target(Path(source.path), deflection, partial(job, "reading the target"), choice)
 
     scale = get("scale")
-    found = read(scale)
-    V = np.ascontiguousarray(found.V, float) * scale
-    F = np.ascontiguousarray(found.F[:, ::-1] if get("flip") else found.F, np.int32)
-    wall = None if found.wall is None else found.wall * scale
-    return Surface(V, F, found.notes, wall, found.creases)
+    mesh = read(scale)
+    V = np.ascontiguousarray(mesh.V, float) * scale
+    F = np.ascontiguousarray(mesh.F[:, ::-1] if get("flip") else mesh.F, np.int32)
+    wall = None if mesh.wall is None else mesh.wall * scale
+    return Surface(V, F, mesh.notes, wall, mesh.creases)
 
 
 STAGE = Stage("surface", ("source",), frozenset({"target"}), _run,
@@ -86,14 +84,14 @@ STAGE = Stage("surface", ("source",), frozenset({"target"}), _run,
 
 
 def find_source(target: str, **options: Any) -> Source:
-    """The source that a TARGET of the command line names; built-in names come first."""
+    """Source for a TARGET of the command line; built-in names come first."""
     if target in dict(native.builtin_targets()):
         return Source(target, built_in=target, **options)
     return Source(plain_name(Path(target).stem), path=target, stamp=file_stamp(target), **options)
 
 
 def file_stamp(path: str) -> str:
-    """A digest of a file's content; empty where it can't be read."""
+    """Digest of a file's content; empty where it can't be read."""
     try:
         return hashlib.sha256(Path(path).read_bytes()).hexdigest()
     except OSError:

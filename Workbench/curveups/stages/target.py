@@ -9,27 +9,27 @@ from typing import Any, Mapping, Optional, Sequence
 import numpy as np
 
 from ..base.errors import CurveUpsError
-from ..base.findings import Finding, settle
+from ..base.findings import Finding, require_no_error
 from ..base.native import native
 from ..base.parameters import parameter
 from .cut_request import interior_edges, mesh_edges
 from .stage import Inputs, Job, Result, Row, Stage, digest
 
-# Holes with a shorter edge than so many L are filled: there is hardly a tile that would not reach across.
+# Holes with a shorter edge than so many L are filled: most tiles would reach across.
 HOLE_EDGE = 4.0
-# Corners of ragged boundaries are looked at from so many L away.
+# Corners of ragged boundaries are found by the course of the boundary within so many L.
 CORNER_REACH = 0.5
-# Findings of check_mesh after which a mesh has no edge lengths worth speaking of.
+# Findings of check_mesh after which edge lengths mean nothing.
 BROKEN = ("empty", "index-out-of-range", "not-finite")
 
 
 @dataclass(frozen=True)
 class Target(Result):
-    """V (N x 3, mm), F (M x 3) and what is to be said of them."""
+    """V (N x 3, mm) and F (M x 3)."""
 
     V: np.ndarray
     F: np.ndarray
-    source_V: np.ndarray             # what it was remeshed from
+    source_V: np.ndarray             # mesh before remeshing
     source_F: np.ndarray
     mean_edge: float
     edge_cv: float
@@ -37,24 +37,22 @@ class Target(Result):
     notes: tuple[str, ...]
     warned: tuple[Finding, ...]
     own_length: Optional[float]      # L, where the mesh is taken as it is
-    wall: Optional[float] = None     # how thick the part is drawn, mm
-    # What the user gave, where it was mended before it was remeshed (V, F); what mending did to it; and by
-    # how much the two differ (Hausdorff distance, mm).
-    unmended: Optional[tuple[np.ndarray, np.ndarray]] = None
-    actions: tuple[str, ...] = ()
-    mended_by: float = 0.0
-    creases: Optional[np.ndarray] = None  # edges of source_F that stay (E x 2), where a CAD part has them
+    wall: Optional[float] = None     # thickness of the part as drawn, mm
+    unmended: Optional[tuple[np.ndarray, np.ndarray]] = None  # V, F as given, where mending changed them
+    actions: tuple[str, ...] = ()    # of mending
+    mended_by: float = 0.0           # Hausdorff distance of the two, mm
+    creases: Optional[np.ndarray] = None  # E x 2, edges of source_F that stay, of a CAD part
 
     @property
     def given(self) -> tuple[np.ndarray, np.ndarray]:
-        """V and F of what the user gave: deviations are from it."""
+        """V and F as the user gave them: deviations are measured from these."""
         return self.unmended or (self.source_V, self.source_F)
 
     @property
     def content(self) -> str:
         return digest(self.V, self.F, self.own_length, *(() if self.wall is None else (self.wall,)))
 
-    def settles(self) -> Mapping[str, Any]:
+    def fixes(self) -> Mapping[str, Any]:
         return {} if self.own_length is None else {"L": self.own_length}
 
     def report(self) -> dict[str, Any]:
@@ -70,7 +68,7 @@ def _run(inputs: Inputs, job: Job) -> Target:
     job("checking the target")
     V, F, notes = surface.V, surface.F, list(surface.notes)
     mended: dict[str, Any] = {}
-    apart = False  # whether no face is known to run through another, which takes seconds to find out
+    apart = False  # True where no faces run through one another: the search takes seconds
     if source.remesh:
         # Otherwise the mesh is taken as it is: cuts name its vertices by number.
         clean = native.clean_mesh(V, F, job)
@@ -79,12 +77,13 @@ def _run(inputs: Inputs, job: Job) -> Target:
         if inputs.parameters.get("mend") == "on":
             V, F, mended, apart = _mend(V, F, L, clean.notes, job)
     else:
-        settle([f for f in native.check_mesh(V, F, 1.0, True, job) if f.kind in BROKEN], inputs.where)
+        findings = native.check_mesh(V, F, 1.0, True, job)
+        require_no_error([finding for finding in findings if finding.kind in BROKEN], inputs.where)
         L = _own_length(V, F, inputs.where)
     findings = native.check_mesh(V, F, L, source.will_be_cut, job, without_crossings=apart)
     notes += [str(Finding.of(finding)) for finding in findings if finding.kind == "components"]
     try:
-        found = settle([f for f in findings if f.kind != "components"], inputs.where)
+        warned = require_no_error([f for f in findings if f.kind != "components"], inputs.where)
     except CurveUpsError as error:
         if not source.remesh or inputs.parameters.get("mend") == "on":
             raise
@@ -93,57 +92,57 @@ def _run(inputs: Inputs, job: Job) -> Target:
         ends = V[mesh_edges(F)[0]]
         lengths = np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1)
         return Target(V, F, V, F, float(lengths.mean()), float(lengths.std() / lengths.mean()), 0.0,
-                      tuple(notes), found, L, surface.wall)
+                      tuple(notes), warned, L, surface.wall)
     creases = _creases(surface, V, F)
-    made = remesh(V, F, L, inputs.parameters, job, creases)
-    return Target(made.V, made.F, V, F, made.mean_edge, made.edge_cv, made.chord_error, tuple(notes), found,
+    mesh = remesh(V, F, L, inputs.parameters, job, creases)
+    return Target(mesh.V, mesh.F, V, F, mesh.mean_edge, mesh.edge_cv, mesh.chord_error, tuple(notes), warned,
                   None, surface.wall, creases=creases, **mended)
 
 
 def remesh(V: np.ndarray, F: np.ndarray, L: float, parameters: Any, job: Job,
            creases: Optional[np.ndarray] = None) -> Any:
-    """The native RemeshResult of a clean mesh. creases: edges (E x 2) that stay; None: those where facets
-    turn by more than crease_angle. Boundaries of what is to be mended may be ragged."""
+    """Native RemeshResult of a clean mesh. creases: edges (E x 2) that stay; None: those where facets turn by
+    more than crease_angle."""
     kept = {"crease_angle": parameters.get("crease_angle")} if creases is None else {"features": creases}
     return native.remesh(V, F, L, job, **kept,
                          corner_reach=CORNER_REACH * L if parameters.get("mend") == "on" else 0.0)
 
 
 def _creases(surface: Any, V: np.ndarray, F: np.ndarray) -> Optional[np.ndarray]:
-    """The creases of a CAD part as far as cleaning and mending have left them: interior edges (E x 2) of the
-    mesh V, F; None of what is no CAD part."""
+    """Creases of a CAD part that cleaning and mending have kept: interior edges (E x 2) of V, F; None for
+    other targets."""
     sharp = surface.creases
     if sharp is None or not len(sharp):
         return sharp
     number = {tuple(point): v for v, point in enumerate(V.tolist())}
     ends = [[number.get(tuple(point), -1) for point in pair] for pair in surface.V[sharp].tolist()]
-    found = {(min(pair), max(pair)) for pair in ends} & interior_edges(F)
-    return np.array(sorted(found), np.int32).reshape(-1, 2)
+    kept = {(min(pair), max(pair)) for pair in ends} & interior_edges(F)
+    return np.array(sorted(kept), np.int32).reshape(-1, 2)
 
 
 def _mend(V: np.ndarray, F: np.ndarray, L: float, cleaned: Sequence[str],
           job: Job) -> tuple[np.ndarray, np.ndarray, dict[str, Any], bool]:
-    """What is to be remeshed, what the result says of mending, and whether no face of the first is known to
-    run through another. `cleaned`: what is done to any mesh."""
-    if not len(F) or not np.isfinite(V).all():  # said by check_mesh
+    """Mended V and F, the members of Target that describe mending, and MendedMesh.without_crossings. cleaned:
+    notes of clean_mesh."""
+    if not len(F) or not np.isfinite(V).all():  # check_mesh refuses it
         return V, F, {}, False
-    made = native.mend_mesh(V, F, L, HOLE_EDGE * L, job)
-    if not made.actions:
-        return V, F, {"actions": tuple(cleaned)}, made.without_crossings
-    *_, hausdorff = native.surface_deviation(made.V, made.F, V, F, job)
-    said = {"actions": (*cleaned, *made.actions), "mended_by": float(hausdorff), "unmended": (V, F)}
-    return made.V, made.F, said, made.without_crossings
+    mesh = native.mend_mesh(V, F, L, HOLE_EDGE * L, job)
+    if not mesh.actions:
+        return V, F, {"actions": tuple(cleaned)}, mesh.without_crossings
+    far = native.surface_deviation(mesh.V, mesh.F, V, F, job).hausdorff_mm
+    members = {"actions": (*cleaned, *mesh.actions), "mended_by": far, "unmended": (V, F)}
+    return mesh.V, mesh.F, members, mesh.without_crossings
 
 
 def _with_mending(error: CurveUpsError, V: np.ndarray, F: np.ndarray, L: float, will_be_cut: bool,
                   job: Job) -> CurveUpsError:
-    """The error, which says what mending would do where that is all that is in the way."""
+    """The error, with mending as a remedy where that removes every error."""
     if not len(F) or not np.isfinite(V).all():
         return error
-    made = native.mend_mesh(V, F, L, HOLE_EDGE * L, job)
-    if any(finding.is_error for finding in native.check_mesh(made.V, made.F, L, will_be_cut, job)):
+    mesh = native.mend_mesh(V, F, L, HOLE_EDGE * L, job)
+    if any(finding.is_error for finding in native.check_mesh(mesh.V, mesh.F, L, will_be_cut, job)):
         return error
-    mended = Finding.about("advice.mend_surface", actions=", ".join(made.actions))
+    mended = Finding.about("advice.mend_surface", actions=", ".join(mesh.actions))
     return CurveUpsError(error.what, error.where, f"{error.remedy}; or {mended}", error.status,
                          finding=error.finding)
 

@@ -13,30 +13,29 @@ from ..base.findings import Finding, all_of, failed
 from ..base.native import native
 from .stage import Inputs, Job, Picture, Result, Row, Stage
 
-BLOCKS = ("physics", "contact_forces", "unilateral", "glue")
 SIDE_ARRAYS = ("flat", "triangles", "stretch", "tension")
 
 
 @dataclass(frozen=True)
 class Verification(Result):
-    """What the model found; without blocks it was not, or could not be, computed: `note` says why."""
+    """Result of the physical model; empty blocks where it was not computed."""
 
-    note: Optional[Finding] = None     # why there is none
-    failure: Optional[Finding] = None  # why there is none though it was wanted: the design is not valid
+    note: Optional[Finding] = None     # why it was not computed: the verdict stays open
+    failure: Optional[Finding] = None  # why it failed: the design is not valid
     valid: bool = False
     blocks: Mapping[str, Any] = field(default_factory=dict)
-    found: tuple[Finding, ...] = ()    # reasons
-    warned: tuple[Finding, ...] = ()   # warnings
-    complete: bool = True            # False: points are weak, all else is left out, and there is no verdict
-    design: Any = None               # native Design, for pictures
+    broken: tuple[Finding, ...] = ()   # reasons
+    warned: tuple[Finding, ...] = ()
+    complete: bool = True              # False without a verdict: weak points end the work early
+    design: Any = None                 # native Design, for pictures
     arrays: Mapping[str, np.ndarray] = field(default_factory=dict)  # per contact and per tile
     membranes: tuple[Mapping[str, np.ndarray], ...] = ()  # front and back, for pictures
-    # Native SolvedDesign, which repair and settling start from; None in a result that was saved.
+    # Native SolvedDesign, from which repair and settling start; None in a saved result.
     solved: Any = field(default=None, compare=False, metadata={"transient": True})
 
     @property
     def judged(self) -> bool:
-        """Whether there is a verdict."""
+        """True where there is a verdict."""
         return not self.note
 
     @property
@@ -46,20 +45,16 @@ class Verification(Result):
         return [(int(a), int(b)) for a, b in pairs]
 
     def report(self) -> dict[str, Any]:
-        found = {name: self.blocks[name] for name in BLOCKS if name in self.blocks}
-        return {**found, "worst_contacts": self.worst_contacts()} if found else found
+        return {**self.blocks, "worst_contacts": self.worst_contacts()} if self.blocks else {}
 
     def worst_contacts(self, most: int = 5) -> list[dict[str, Any]]:
-        """Those with the least normal force, N, the weakest first; tiles are rows of F."""
+        """Contacts of least normal force, N, the weakest first; tiles are rows of F."""
         if not len(self.arrays.get("contact_tiles", ())):
             return []
         order = np.argsort(self.arrays["contact_normal_min"], kind="stable")[:most]
         return [{"tiles": [int(tile) for tile in self.arrays["contact_tiles"][k]],
                  **{name: float(self.arrays[f"contact_{name}"][k])
                     for name in ("normal_min", "normal_mean", "friction_ratio")}} for k in order]
-
-    def reasons(self) -> Sequence[Finding]:
-        return (self.failure,) if self.failure else self.found
 
     def rows(self, seconds: float) -> Sequence[Row]:
         if not self.judged:
@@ -99,19 +94,20 @@ class Verification(Result):
 
 
 def verify(design: Any, job: Job, weak_is_enough: bool = False) -> Verification:
-    """Runs the model on a native Design; `weak_is_enough`: for repair, which asks for no more."""
+    """Runs the model on a native Design. weak_is_enough: without a verdict where points are weak."""
     return verification_of(native.verify_design(design, job, weak_is_enough), design)
 
 
-def verification_of(found: Any, design: Any) -> Verification:
-    """A native VerificationReport of a native Design."""
+def verification_of(report: Any, design: Any) -> Verification:
+    """Verification by a native VerificationReport of a native Design."""
     names = ("contact_tiles", "contact_normal_min", "contact_normal_mean", "contact_friction_ratio",
              "tile_normal_force")
-    sides = tuple({name: np.asarray(getattr(side, name)) for name in SIDE_ARRAYS} for side in found.membranes)
-    return Verification(valid=found.valid, blocks=found.blocks, found=all_of(found.reasons),
-                        warned=all_of(found.warnings), complete=found.complete, design=design,
-                        arrays={name: np.asarray(getattr(found, name)) for name in names}, membranes=sides,
-                        solved=found.solved)
+    sides = tuple({name: np.asarray(getattr(side, name)) for name in SIDE_ARRAYS}
+                  for side in report.membranes)
+    return Verification(valid=report.valid, blocks=report.blocks, broken=all_of(report.reasons),
+                        warned=all_of(report.warnings), complete=report.complete, design=design,
+                        arrays={name: np.asarray(getattr(report, name)) for name in names}, membranes=sides,
+                        solved=report.solved)
 
 
 def _verify(design: Any, inputs: Inputs, job: Job, weak_is_enough: bool = False) -> Verification:
@@ -122,13 +118,13 @@ def _verify(design: Any, inputs: Inputs, job: Job, weak_is_enough: bool = False)
 
 @dataclass(frozen=True)
 class LayoutVerification(Result):
-    """What repair has to know of the layout; the verdict is that on the design it ends with."""
+    """Verification of the layout, for repair."""
 
     verification: Verification
 
     @property
     def verdict(self) -> Optional[Verification]:
-        """That on the design which stays as the layout has it; None where it remains to be had."""
+        """Verification of the design where repair leaves the layout as it is; None where it is incomplete."""
         return self.verification if self.verification.complete else None
 
     def rows(self, seconds: float) -> Sequence[Row]:
@@ -141,8 +137,9 @@ def _verify_design(inputs: Inputs, job: Job) -> Verification:
 
 
 def _failed(error: CurveUpsError, inputs: Inputs) -> Verification:
-    # The layout is worth its files; without a verdict it must not pass for valid.
-    return Verification(failure=failed("verification_failed", error))
+    # Files of the layout are written; without a verdict it must not pass as valid.
+    failure = failed("verification_failed", error)
+    return Verification(failure=failure, broken=(failure,))
 
 
 def _stopped(stage: str, inputs: Inputs) -> Verification:

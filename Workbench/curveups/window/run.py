@@ -174,7 +174,7 @@ class Live:
 
     def _look(self) -> None:
         WORKER.poll()
-        if WORKER.settled:
+        if WORKER.idle:
             self._timer.stop()
         if not WORKER.busy:
             return

@@ -1,75 +1,57 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The exceptions, each a Python class of its C++ name.
+// The exceptions, each a Python class of its C++ name with the attributes `remedy` and `tiles`, and
+// findings.
 #include "curveups/bindings/bindings.hpp"
 #include "curveups/core/errors.hpp"
+#include "curveups/core/finding.hpp"
 
 namespace curveups::bindings {
 namespace {
 
-// A Python class per C++ exception, with the attributes `remedy` and `tiles`.
+// pybind11 asks the translator that was registered last first: bases come before derived classes.
 template <class E>
-void raise(const py::handle& type, const E& error) {
-  py::object instance = type(error.what());
-  instance.attr("remedy") = error.remedy();
-  instance.attr("tiles") = error.tiles();
-  PyErr_SetObject(type.ptr(), instance.ptr());
-}
-
-py::object make_exception(py::module_& module, const char* name, const char* doc,
-                          const py::handle& base) {
-  const std::string full = "curveups._native." + std::string(name);
-  py::object type = py::reinterpret_steal<py::object>(
-      PyErr_NewExceptionWithDoc(full.c_str(), doc, base.ptr(), nullptr));
-  if (!type) throw py::error_already_set();
-  module.attr(name) = type;
+py::handle bind_error(py::module_& module, const char* name, const char* doc,
+                      const py::handle& base) {
+  // Never destroyed: translators run until the interpreter ends.
+  static const py::handle type = py::exception<E>(module, name, base).release();
+  type.attr("__doc__") = doc;
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): the signature is pybind11's
+  py::register_exception_translator([](std::exception_ptr pointer) {
+    try {
+      if (pointer) std::rethrow_exception(pointer);
+    } catch (const E& error) {
+      const py::object instance = type(error.what());
+      instance.attr("remedy") = error.remedy();
+      instance.attr("tiles") = error.tiles();
+      PyErr_SetObject(type.ptr(), instance.ptr());
+    }
+  });
   return type;
 }
-
-// Leaked on purpose: translators run until the interpreter ends.
-struct ErrorTypes {
-  py::object error, invalid_input, topology_error, infeasible_design, solver_failure, io_error,
-      cancelled;
-};
-ErrorTypes* types = nullptr;
 
 }  // namespace
 
 void bind_errors(py::module_& module) {
-  types = new ErrorTypes;
-  types->error =
-      make_exception(module, "Error", "Base of this module's exceptions.", PyExc_RuntimeError);
-  types->error.attr("remedy") = "";
-  types->error.attr("tiles") = py::tuple();
-  auto make = [&](const char* name, const char* doc) {
-    return make_exception(module, name, doc, types->error);
-  };
-  types->invalid_input = make("InvalidInput", "A value, file or array breaks its contract.");
-  types->topology_error = make("TopologyError", "The surface is no oriented manifold.");
-  types->infeasible_design = make("InfeasibleDesign", "No tiles, pins or solids like this exist.");
-  types->solver_failure = make("SolverFailure", "A numerical method broke down.");
-  types->io_error = make("IoError", "A file could not be read or written.");
-  types->cancelled = make("Cancelled", "Stopped by the caller, without a partial result.");
-  // NOLINTNEXTLINE(performance-unnecessary-value-param): the signature is pybind11's
-  py::register_exception_translator([](std::exception_ptr pointer) {
-    if (!pointer) return;
-    try {
-      std::rethrow_exception(pointer);
-    } catch (const InvalidInput& e) {
-      raise(types->invalid_input, e);
-    } catch (const TopologyError& e) {
-      raise(types->topology_error, e);
-    } catch (const InfeasibleDesign& e) {
-      raise(types->infeasible_design, e);
-    } catch (const SolverFailure& e) {
-      raise(types->solver_failure, e);
-    } catch (const IoError& e) {
-      raise(types->io_error, e);
-    } catch (const Cancelled& e) {
-      raise(types->cancelled, e);
-    } catch (const Error& e) {
-      raise(types->error, e);
-    }
-  });
+  const py::handle error =
+      bind_error<Error>(module, "Error", "Base of this module's exceptions.", PyExc_RuntimeError);
+  error.attr("remedy") = "";
+  error.attr("tiles") = py::tuple();
+  bind_error<InvalidInput>(module, "InvalidInput", "A value, file or array breaks its contract.",
+                           error);
+  bind_error<TopologyError>(module, "TopologyError", "The surface is no oriented manifold.", error);
+  bind_error<InfeasibleDesign>(module, "InfeasibleDesign",
+                               "No tiles, pins or solids like this exist.", error);
+  bind_error<SolverFailure>(module, "SolverFailure", "A numerical method broke down.", error);
+  bind_error<IoError>(module, "IoError", "A file could not be read or written.", error);
+  bind_error<Cancelled>(module, "Cancelled", "Stopped by the caller, without a partial result.",
+                        error);
+
+  py::class_<Finding>(module, "Finding",
+                      "A reason, warning or advice; base/findings.py makes sentences of it.")
+      .def_readonly("kind", &Finding::kind)
+      .def_readonly("tiles", &Finding::tiles, "Tiles concerned, ascending; empty: all of them.")
+      .def_readonly("figures", &Finding::figures, "Figures of its sentence, by name.")
+      .def_readonly("is_error", &Finding::is_error, "Nothing can be made of a surface like this.");
 }
 
 }  // namespace curveups::bindings

@@ -38,7 +38,7 @@ py::dict row_of(const ParameterInfo& info) {
   return row;
 }
 
-// With the nearest known name, whatever its case, where one is like it.
+// Names the nearest known parameter, in any case, where there is a similar one.
 [[noreturn]] void refuse_unknown(const std::string& name) {
   py::dict known;
   for (const ParameterInfo& info : parameter_table()) {
@@ -63,7 +63,7 @@ void bind_parameters(py::module_& module) {
         for (const ParameterInfo& info : parameter_table()) rows.append(row_of(info));
         return rows;
       },
-      "Every parameter, in the order in which they are shown: what the build writes as "
+      "Every parameter, in the order in which they are shown. The build writes this as "
       "base/parameters.json (see base/parameters.py).");
 
   module.def(

@@ -3,7 +3,6 @@
 #include "curveups/actuation/flat_piece.hpp"
 #include "curveups/bindings/arrays.hpp"
 #include "curveups/bindings/bindings.hpp"
-#include "curveups/bindings/part_shape.hpp"
 #include "curveups/bodies/clearance.hpp"
 #include "curveups/design/print_constants.hpp"
 #include "curveups/fabrication/body_mesh.hpp"
@@ -18,7 +17,7 @@ namespace {
 
 constexpr const char* printed_kinds[] = {"tiles", "support", "anchors"};
 
-// Thousands of solids take their time to go: others run meanwhile.
+// Deletion of thousands of solids takes a while; other threads run meanwhile.
 struct DeletedWithoutGil {
   void operator()(PrintModel* model) const {
     const py::gil_scoped_release release;
@@ -27,36 +26,35 @@ struct DeletedWithoutGil {
 };
 using HeldModel = std::unique_ptr<PrintModel, DeletedWithoutGil>;
 
-py::list pairs(const std::vector<UnsoundSolid>& unsound) {
-  py::list out;
-  for (const UnsoundSolid& solid : unsound) out.append(py::make_tuple(solid.body, solid.reason));
-  return out;
-}
-
-py::tuple joined(const std::vector<BodyMesh>& meshes) {
+// Points, triangles and the body of each triangle.
+std::tuple<Points3, Triangles, Eigen::VectorXi> joined(const std::vector<BodyMesh>& meshes) {
   Eigen::Index points = 0, triangles = 0;
   for (const BodyMesh& mesh : meshes) {
     points += static_cast<Eigen::Index>(mesh.points.size());
     triangles += static_cast<Eigen::Index>(mesh.triangles.size());
   }
-  Points3 V(points, 3);
-  Triangles F(triangles, 3);
-  std::vector<int> body;
-  Eigen::Index point = 0;
+  std::tuple<Points3, Triangles, Eigen::VectorXi> out{Points3(points, 3), Triangles(triangles, 3),
+                                                      Eigen::VectorXi(triangles)};
+  auto& [V, F, body] = out;
+  Eigen::Index point = 0, triangle = 0;
   for (std::size_t k = 0; k < meshes.size(); ++k) {
+    const int first = static_cast<int>(point);
     for (const auto& [a, b, c] : meshes[k].triangles) {
-      F.row(static_cast<Eigen::Index>(body.size())) << a + static_cast<int>(point),
-          b + static_cast<int>(point), c + static_cast<int>(point);
-      body.push_back(static_cast<int>(k));
+      body(triangle) = static_cast<int>(k);
+      F.row(triangle++) << a + first, b + first, c + first;
     }
     for (const Vec3& p : meshes[k].points) V.row(point++) = p;
   }
-  return py::make_tuple(V, F, py::array_t<int>(py::cast(body)));
+  return out;
 }
 
 }  // namespace
 
 void bind_print_model(py::module_& module) {
+  FiguresClass<GluedAreas>(module, "GluedAreas", "Areas in the plane of one side's pin tops, mm2.")
+      .figure("pins", &GluedAreas::pins)
+      .figure("anchors", &GluedAreas::anchors)
+      .figure("support", &GluedAreas::support);
   py::class_<PrintModel, HeldModel>(
       module, "PrintModel",
       "All that is printed. Kinds: tiles, support, anchors, print (all) and actuated (the tiles in "
@@ -114,73 +112,64 @@ void bind_print_model(py::module_& module) {
           "without room for them, and how many holes there are in all.")
       .def_readonly("loose_tiles", &PrintModel::loose_tiles)
       .def_readonly("loose_anchors", &PrintModel::loose_anchors)
-      .def_property_readonly(
-          "overhangs", [](const PrintModel& m) { return m.overhang; },
-          "Per tile how far its body reaches out level beyond the pin on the bed.")
+      .def_readonly("overhangs", &PrintModel::overhang,
+                    "Per tile how far its body reaches out level beyond the pin on the bed.")
       .def_property_readonly(
           "glued_areas",
           [](const PrintModel& m) {
             py::dict out;
             for (const Side side : {Side::front, Side::back}) {
-              const GluedAreas areas = glued_areas(m, side);
-              py::dict of_side;
-              of_side["pins"] = areas.pins;
-              of_side["anchors"] = areas.anchors;
-              of_side["support"] = areas.support;
-              out[side == Side::front ? "front" : "back"] = of_side;
+              out[side_name(side)] = py::cast(glued_areas(m, side)).attr("block");
             }
             return out;
           },
-          "Per side what lies in the plane of its pin tops, mm2: pins, anchors and support.")
-      .def("min_clearance_flat",
-           [](const PrintModel& m) {
-             py::gil_scoped_release release;
-             return min_clearance_flat(m).value;
-           })
+          "Areas in the plane of the pin tops by side, mm2: pins, anchors and support.")
+      .def(
+          "min_clearance_flat", [](const PrintModel& m) { return min_clearance_flat(m).value; },
+          Released())
       .def(
           "build_solids",
-          [](PrintModel& m, py::object progress) {
-            without_gil(std::move(progress),
-                        [&](const Progress&) { return solids_of(m, "print"); });
+          [](const PrintModel& m, const Progress& progress) {
+            const ProgressScope scope(progress);
+            solids_of(m, "print");
           },
-          py::arg("progress") = py::none(),
+          py::arg("progress") = py::none(), Released(),
           "Builds all solids of the print; they are kept. Other calls do so when they need them.")
       .def(
           "judge_solids",
-          [](PrintModel& m, py::object progress) {
-            const auto unsound =
-                without_gil(std::move(progress), [&](const Progress&) { return check_solids(m); });
-            return py::make_tuple(pairs(unsound), solid_reasons(unsound));
+          [](const PrintModel& m, const Progress& progress) {
+            const ProgressScope scope(progress);
+            const auto unsound = check_solids(m);
+            std::vector<std::pair<std::string, std::string>> named;
+            for (const UnsoundSolid& solid : unsound) named.emplace_back(solid.body, solid.reason);
+            return std::make_pair(named, solid_reasons(unsound));
           },
-          py::arg("progress") = py::none(),
+          py::arg("progress") = py::none(), Released(),
           "The bodies whose solid is not valid, not closed or not of its exact volume, with why; "
           "and the reasons for which these make the design not valid.")
       .def(
           "shape",
-          [](PrintModel& m, const std::string& kind, bool direct, py::object progress) {
-            const auto shape = without_gil(std::move(progress),
-                                           [&](const Progress&) { return solids_of(m, kind); });
-            return to_part_shape(*shape, direct);
+          [](const PrintModel& m, const std::string& kind) {
+            const auto solids = [&] {
+              const py::gil_scoped_release release;
+              return solids_of(m, kind);
+            }();
+            return to_part_shape(*solids);
           },
-          py::arg("kind"), py::arg("direct") = true, py::arg("progress") = py::none(),
-          "A compound of the kind's solids as a Part.Shape. direct=False goes through a file.")
+          py::arg("kind"), "A compound of the kind's solids as a Part.Shape.")
       .def(
           "mesh",
           [](const PrintModel& m, const std::string& kind) {
-            const auto meshes = without_gil(py::none(), [&](const Progress&) {
-              return mesh_bodies(m.bodies(kind), {0.1, false});
-            });
-            return joined(meshes);
+            return joined(mesh_bodies(m.bodies(kind), {0.1, false}));
           },
-          py::arg("kind"),
-          "Triangles of a kind's bodies, without bumps, for pictures: points (n x 3), triangles (m "
-          "x "
-          "3, counter-clockwise seen from outside) and the body of each triangle, from 0.")
+          py::arg("kind"), Released(),
+          "Triangles of a kind's bodies, without bumps, for pictures: points (n x 3), triangles "
+          "(m x 3, counter-clockwise seen from outside) and the body of each triangle, from 0.")
       .def(
           "only_tiles",
           [](const PrintModel& m, const std::vector<int>& tiles) {
             require_tiles(tiles, static_cast<Eigen::Index>(m.tiles.size()), "tiles");
-            return HeldModel(new PrintModel(only_tiles(m, tiles)));
+            return only_tiles(m, tiles);
           },
           py::arg("tiles"), "These tiles (rows of F) alone, at their places: spares.")
       .def(
@@ -193,11 +182,11 @@ void bind_print_model(py::module_& module) {
               motion.R = Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
               motion.t = Vec3(place[0], place[1], 0);
             }
-            return HeldModel(new PrintModel(only_pieces(m, motions)));
+            return only_pieces(m, motions);
           },
           py::arg("places"),
-          "These pieces, or parts, alone; of each the move (mm) after the turn (degrees) about the "
-          "origin.")
+          "These pieces, or parts, alone; each with its move (x, y, mm) after its turn (degrees) "
+          "about the origin.")
       .def(
           "piece_of_bodies",
           [](const PrintModel& m, const std::string& kind) {
@@ -207,53 +196,48 @@ void bind_print_model(py::module_& module) {
           },
           py::arg("kind"), "The piece, or the part, that each body of a kind belongs to.")
       .def_readonly("outlines", &PrintModel::outlines,
-                    "Of each slab: its outline, then holes in it.")
+                    "Polygons of each slab: its outline, then its holes.")
       .def(
           "posed",
           [](const PrintModel& m, const FrameRows& poses) {
-            const auto motions = frame_motions(poses, static_cast<int>(m.actuated.size()));
-            return HeldModel(new PrintModel(move_actuated(m, motions)));
+            return move_actuated(m, frame_motions(poses, static_cast<int>(m.actuated.size())));
           },
           py::arg("poses"), "The same with the actuated tiles where a frame has them.")
       .def(
           "write",
           [](const PrintModel& m, const std::string& ending, const std::string& kind,
-             const std::string& path, py::object progress) {
-            without_gil(std::move(progress), [&](const Progress&) {
-              print_format(ending).write(m, kind, path);
-              return true;
-            });
+             const std::string& path, const Progress& progress) {
+            const ProgressScope scope(progress);
+            print_format(ending).write(m, kind, path);
           },
           py::arg("ending"), py::arg("kind"), py::arg("path"), py::arg("progress") = py::none(),
+          Released(),
           "Writes a file of one kind of bodies, in the format of that ending (print_formats).");
   py::class_<PrintFormat>(module, "PrintFormat", "A format of a print's files.")
       .def_readonly("ending", &PrintFormat::ending)
-      .def_readonly("kinds", &PrintFormat::kinds, "Of bodies, each of which has a file.")
-      .def_readonly("wanted", &PrintFormat::wanted, "Those of which print shops ask for it.");
+      .def_readonly("kinds", &PrintFormat::kinds, "Kinds of bodies, a file each.")
+      .def_readonly("wanted", &PrintFormat::wanted, "Kinds that print shops want in this format.");
   module.def("print_formats", &print_formats, py::return_value_policy::reference,
              "The formats of a print's files, in their order.");
-  py::class_<SupportKind>(module, "SupportKind", "What a kind of support is.")
-      .def_readonly("bodies", &SupportKind::bodies, "What they are called; empty: there are none.")
+  py::class_<SupportKind>(module, "SupportKind", "Properties of a kind of support.")
+      .def_readonly("bodies", &SupportKind::bodies, "Name of its bodies; empty: there are none.")
       .def_readonly("material", &SupportKind::material)
-      .def_readonly("removal", &SupportKind::removal, "As a step of the assembly.")
+      .def_readonly("removal", &SupportKind::removal, "Its removal, as a step of the assembly.")
       .def_readonly("soluble", &SupportKind::soluble,
-                    "Of a second material, which a bath takes away; else of the tiles' own.");
+                    "Printed of a second material, which a bath dissolves.");
   module.def("support_kind", &support_kind, py::arg("parameters"),
              "The kind of support that the parameters ask for.");
   module.def(
       "measure_clearances",
-      [](const Design& design, py::object progress) {
-        PairFigure flat, actuated;
-        without_gil(std::move(progress), [&](const Progress&) {
-          checkpoint("measuring clearances");
-          const TileBodies bodies = make_tile_bodies(design);
-          flat = min_clearance_flat(bodies);
-          actuated = max_overlap_actuated(bodies);
-          return true;
-        });
-        return py::make_tuple(flat.value, actuated.value, body_reasons(flat, actuated));
+      [](const Design& design, const Progress& progress) {
+        const ProgressScope scope(progress);
+        checkpoint("measuring clearances");
+        const TileBodies bodies = make_tile_bodies(design);
+        const PairFigure flat = min_clearance_flat(bodies);
+        const PairFigure actuated = max_overlap_actuated(bodies);
+        return std::make_tuple(flat.value, actuated.value, body_reasons(flat, actuated));
       },
-      py::arg("design"), py::arg("progress") = py::none(),
+      py::arg("design"), py::arg("progress") = py::none(), Released(),
       "Least distance of two tiles as printed (mm, exact, bumps included; infinite with one tile), "
       "largest volume that two share when actuated (mm3), and the reasons for which these make the "
       "design not valid: all without solids. Raises InfeasibleDesign where tiles "
@@ -261,17 +245,15 @@ void bind_print_model(py::module_& module) {
   using Points = std::vector<Vec2>;
   module.def(
       "make_print_model",
-      [](const Design& design, py::object progress, const std::vector<int>& part_of_tile,
+      [](const Design& design, const Progress& progress, const std::vector<int>& part_of_tile,
          double opening, const Points& region) {
-        PrintModel model = without_gil(std::move(progress), [&](const Progress&) {
-          checkpoint("building bodies");
-          return make_print_model(design, {part_of_tile, opening, region});
-        });
-        return HeldModel(new PrintModel(std::move(model)));
+        const ProgressScope scope(progress);
+        checkpoint("building bodies");
+        return make_print_model(design, {part_of_tile, opening, region});
       },
       py::arg("design"), py::arg("progress") = py::none(),
       py::arg("part_of_tile") = std::vector<int>(), py::arg("opening") = 0.0,
-      py::arg("region") = Points(),
+      py::arg("region") = Points(), Released(),
       "The print of a design; raises InfeasibleDesign, naming tiles, where it can't be made. For "
       "beds that are too small: part_of_tile, by rows of F (empty: all are one), between which "
       "slabs are cut along "
@@ -282,12 +264,11 @@ void bind_print_model(py::module_& module) {
       [](const std::string& name,
          const std::vector<std::tuple<Points, Points, Points, Points>>& parts, double thickness,
          double tooth_radius, double tooth_height) {
-        std::vector<RingPart> made;
+        std::vector<RingPart> plates;
         for (const auto& [outline, window, teeth, holes] : parts) {
-          made.push_back({outline, window, teeth, holes});
+          plates.push_back({outline, window, teeth, holes});
         }
-        return HeldModel(
-            new PrintModel(make_ring(name, made, thickness, tooth_radius, tooth_height)));
+        return make_ring(name, plates, thickness, tooth_radius, tooth_height);
       },
       py::arg("name"), py::arg("parts"), py::arg("thickness"), py::arg("tooth_radius"),
       py::arg("tooth_height"),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What tiles can be of a remeshed target, and what gives them room.
+// Margins of tiles on a remeshed target, and smoothing that gives tiles room.
 #include "curveups/bindings/arrays.hpp"
 #include "curveups/bodies/facing_pins.hpp"
 #include "curveups/layout/diagnostics.hpp"
@@ -11,20 +11,16 @@ namespace curveups::bindings {
 void bind_targets(py::module_& module) {
   module.def(
       "check_target",
-      [](const PointsIn& V, const TrianglesIn& F, const EdgesIn& cuts,
+      [](const NumbersIn& V, const IndicesIn& F, const IndicesIn& cuts,
          const Parameters& parameters) {
-        const TriangleMesh mesh = read_mesh(V, F);
-        const Edges edges = read_edges(cuts, mesh.V.rows(), "cuts");
-        const py::gil_scoped_release release;
-        return check_target(mesh, edges, parameters);
+        const CutMesh target = read_cut_mesh(V, F, cuts);
+        return check_target(target.mesh, target.cuts, parameters);
       },
-      py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
-      "What tiles of this thickness and these pins can't do on a remeshed target.");
+      py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"), Released(),
+      "Obstacles and warnings of a remeshed target for tiles of this thickness and these pins.");
 
   using Figures = TargetFigures;
-  py::class_<Figures>(module, "TargetFigures",
-                      "What tiles (M) and contacts (N) of a target have left before they can't be "
-                      "made.")
+  py::class_<Figures>(module, "TargetFigures", "Margins of a target's tiles (M) and contacts (N).")
       .def_readonly("contacts", &Figures::contacts, "N x 2 tiles.")
       .def_readonly("dihedral", &Figures::dihedral, "N, degrees, convex positive.")
       .def_readonly("dihedral_margin", &Figures::dihedral_margin,
@@ -40,7 +36,7 @@ void bind_targets(py::module_& module) {
       .def_readonly("most_stretch", &Figures::most_stretch,
                     "M, above it the start has a slack membrane next to the tile.")
       .def_readonly("shaped", &Figures::shaped,
-                    "Whether every tile has a back face; what follows is empty otherwise.")
+                    "True where every tile has a back face; the next ones are empty otherwise.")
       .def_readonly("interface_share", &Figures::interface_share,
                     "N, the interface's back edge over its front edge; 0: a hinge.")
       .def_readonly("membrane_clearance", &Figures::membrane_clearance,
@@ -51,34 +47,25 @@ void bind_targets(py::module_& module) {
       .def_readonly("overlapping", &Figures::overlapping, "Pairs that no plane parts.");
   module.def(
       "target_figures",
-      [](const PointsIn& V, const TrianglesIn& F, const EdgesIn& cuts,
+      [](const NumbersIn& V, const IndicesIn& F, const IndicesIn& cuts,
          const Parameters& parameters) {
-        const TriangleMesh mesh = read_mesh(V, F);
-        const Edges edges = read_edges(cuts, mesh.V.rows(), "cuts");
-        const py::gil_scoped_release release;
-        return target_figures(mesh, edges, parameters);
+        const CutMesh target = read_cut_mesh(V, F, cuts);
+        return target_figures(target.mesh, target.cuts, parameters);
       },
-      py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
-      "How much every tile and contact has left before it can't be made.");
+      py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"), Released(),
+      "Margins of every tile and contact before it can't be made.");
   module.def(
       "facing_pins",
-      [](const PointsIn& V, const TrianglesIn& F, const EdgesIn& cuts, Parameters parameters) {
-        const TriangleMesh mesh = read_mesh(V, F);
-        const Edges edges = read_edges(cuts, mesh.V.rows(), "cuts");
+      [](const NumbersIn& V, const IndicesIn& F, const IndicesIn& cuts, Parameters parameters) {
+        const CutMesh target = read_cut_mesh(V, F, cuts);
         parameters.held_tiles.clear();  // of the design, not of any mesh that is tried
-        const py::gil_scoped_release release;
-        return facing_pins(make_geometry(mesh, edges, parameters), parameters.H_pin);
+        return facing_pins(make_geometry(target.mesh, target.cuts, parameters), parameters.H_pin);
       },
-      py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
+      py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"), Released(),
       "Pairs of tiles without a common vertex of which a pin of one would run into the other. "
       "Raises "
       "InfeasibleDesign where tiles have no back face.");
 
-  py::class_<SmallPin>(module, "SmallPin", "A pin side whose bounds leave less than A_pin_min.")
-      .def_readonly("tile", &SmallPin::tile)
-      .def_property_readonly(
-          "side", [](const SmallPin& p) { return p.side == Side::front ? "front" : "back"; })
-      .def_readonly("area", &SmallPin::area, "mm2");
   py::class_<PinSmoothing>(module, "PinSmoothing", "Vertices moved so that pins have room.")
       .def_property_readonly("V", [](const PinSmoothing& r) { return r.mesh.V; })
       .def_readonly("largest_move_mm", &PinSmoothing::largest_move)
@@ -86,38 +73,34 @@ void bind_targets(py::module_& module) {
       .def_readonly("remaining", &PinSmoothing::remaining);
   module.def(
       "smooth_for_pins",
-      [](const PointsIn& V, const TrianglesIn& F, const EdgesIn& cuts, const Parameters& parameters,
-         py::object progress) {
-        const TriangleMesh mesh = read_mesh(V, F);
-        const Edges edges = read_edges(cuts, mesh.V.rows(), "cuts");
-        return without_gil(std::move(progress), [&](const Progress& sink) {
-          return smooth_for_pins(mesh, edges, parameters, sink);
-        });
+      [](const NumbersIn& V, const IndicesIn& F, const IndicesIn& cuts,
+         const Parameters& parameters, const Progress& progress) {
+        const CutMesh target = read_cut_mesh(V, F, cuts);
+        return smooth_for_pins(target.mesh, target.cuts, parameters,
+                               ProgressScope(progress).sink());
       },
       py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
-      py::arg("progress") = py::none(),
+      py::arg("progress") = py::none(), Released(),
       "Moves vertices a little where folds leave pin sides less than A_pin_min.");
 
   py::class_<SmoothedTarget>(module, "FairedSurface", "Vertices moved so that tiles are possible.")
       .def_property_readonly("V", [](const SmoothedTarget& s) { return s.mesh.V; })
-      .def_readonly("move", &SmoothedTarget::move, "of each vertex, mm")
+      .def_readonly("move", &SmoothedTarget::move, "Of each vertex, mm.")
       .def_readonly("fixed", &SmoothedTarget::fixed)
       .def_readonly("remaining", &SmoothedTarget::remaining)
       .def_readonly("overlapping", &SmoothedTarget::overlapping)
       .def_readonly("steps", &SmoothedTarget::steps);
   module.def(
       "smooth_target",
-      [](const PointsIn& V, const TrianglesIn& F, const EdgesIn& cuts, const EdgesIn& kept,
-         double largest_move, const Parameters& parameters, py::object progress) {
-        const TriangleMesh mesh = read_mesh(V, F);
-        const Edges edges = read_edges(cuts, mesh.V.rows(), "cuts");
-        const Edges lines = read_edges(kept, mesh.V.rows(), "kept");
-        return without_gil(std::move(progress), [&](const Progress& sink) {
-          return smooth_target(mesh, edges, lines, largest_move, parameters, sink);
-        });
+      [](const NumbersIn& V, const IndicesIn& F, const IndicesIn& cuts, const IndicesIn& kept,
+         double largest_move, const Parameters& parameters, const Progress& progress) {
+        const CutMesh target = read_cut_mesh(V, F, cuts);
+        const Edges lines = read_edges(kept, target.mesh.V.rows(), "kept");
+        return smooth_target(target.mesh, target.cuts, lines, largest_move, parameters,
+                             ProgressScope(progress).sink());
       },
       py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("kept"), py::arg("largest_move"),
-      py::arg("parameters"), py::arg("progress") = py::none(),
+      py::arg("parameters"), py::arg("progress") = py::none(), Released(),
       "Moves vertices until every tile has a back face and room for its pins.");
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// One function for what belongs together, in a file of its name; module.cpp calls them in the order
-// of dependency.
+// One function for each group of bindings, in a file of its name; module.cpp calls them in the
+// order of dependency.
 //
-// Style: arrays go in as arrays.hpp says, which checks them, and out as numpy arrays; results are
-// small classes with read-only attributes; long calls take progress=None, a callable (what: str,
-// fraction: float) -> bool, and release the GIL.
+// Arrays go in through arrays.hpp, which checks them, and come out as numpy arrays. Results are
+// classes with read-only attributes. Long calls release the GIL and take progress=None, a callable
+// (what: str, fraction: float) -> bool; its exceptions (KeyboardInterrupt above all) end the call.
 #pragma once
 
 #include <pybind11/eigen.h>
@@ -13,18 +13,23 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <exception>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/types.hpp"
 
+class TopoDS_Shape;  // from OpenCASCADE
+
 namespace curveups {
+enum class Side;
 struct SolvedDesign;
-}
+}  // namespace curveups
 
 namespace curveups::bindings {
 
@@ -33,58 +38,64 @@ namespace py = pybind11;
 // Python holds what native code shares as const.
 using SolvedPtr = std::shared_ptr<SolvedDesign>;
 
-// Wraps a Python callable (or None) so that it can be called with the GIL released. What it raises
-// (KeyboardInterrupt above all) is kept and raised again when the native call has returned.
-class PythonProgress {
+// For calls of native code, whose arguments need no GIL: progress sinks acquire it.
+using Released = py::call_guard<py::gil_scoped_release>;
+// Called with the iterates of long work: flat corners (M x 3 x 2), insets (M x 2 x 3), a figure of
+// the work, the largest violation of constraints. Stops the work by returning false.
+using Listener = std::function<bool(py::array_t<double>, py::array_t<double>, double, double)>;
+// The same for native code, with the GIL released; empty without a listener, which it refers to.
+std::function<bool(const Array6& T, const Array6& q, double figure, double violation)>
+native_listener(const std::optional<Listener>& listener);
+
+// The `block` of an object or of each item of a list; anything else as it is.
+py::object to_block(const py::object& value);
+
+// A class of figures. Each is listed once, by its name in report.json and a member or a function of
+// the struct: it becomes a read-only attribute, and all of them in this order the dict `block`.
+template <class T, class... Holder>
+class FiguresClass : public py::class_<T, Holder...> {
  public:
-  explicit PythonProgress(py::object callable);
-  Progress function();
-  // To be called with the GIL held after the native work: raises what the callable raised.
-  void rethrow();
+  FiguresClass(const py::handle& scope, const char* name, const char* doc)
+      : py::class_<T, Holder...>(scope, name, doc) {
+    this->def_property_readonly(
+        "block",
+        [names = names_](const py::object& self) {
+          py::dict out;
+          for (const py::handle& key : names) out[key] = to_block(self.attr(key));
+          return out;
+        },
+        "Figures by name, as report.json has them.");
+  }
+
+  template <class Get>
+  FiguresClass& figure(const char* name, Get get, const char* doc = "") {
+    if constexpr (std::is_member_object_pointer_v<Get>) {
+      this->def_readonly(name, get, doc);
+    } else {
+      this->def_property_readonly(name, get, doc);
+    }
+    names_.append(name);
+    return *this;
+  }
 
  private:
-  py::object callable_;
-  std::exception_ptr error_;
+  py::list names_;
 };
 
-// Runs work(progress) with the GIL released; checkpoints within it ask the callable as well.
-template <class Work>
-auto without_gil(py::object callable, Work work) {
-  PythonProgress progress(std::move(callable));
-  try {
-    auto result = [&] {
-      const py::gil_scoped_release release;
-      const ProgressScope scope(progress.function());
-      return work(scope.sink());
-    }();
-    progress.rethrow();
-    return result;
-  } catch (const Cancelled&) {
-    progress.rethrow();
-    throw;
-  }
+// FreeCAD's Part.Shape of a shape: without a copy on Linux, where FreeCAD's Part module exports its
+// own conversion (0.20 and 1.0 do), else through a file, which takes seconds for 600 tiles. Raises
+// ImportError without FreeCAD.
+py::object to_part_shape(const TopoDS_Shape& shape);
+// "front" or "back".
+const char* side_name(Side side);
+// Rows as blocks of this shape.
+template <class Matrix>
+py::array_t<double> to_blocks(const Matrix& rows, std::vector<py::ssize_t> shape) {
+  shape.insert(shape.begin(), rows.rows());
+  return py::array_t<double>(shape, rows.data());
 }
 
-// A Python callable (or None) that gets the iterates of long work as (T, q, figure), the same way;
-// it answers whether to go on.
-class PythonListener {
- public:
-  using Function =
-      std::function<bool(const Array6& T, const Array6& q, double figure, double violation)>;
-  explicit PythonListener(py::object callable) : callable_(std::move(callable)) {}
-  Function function();  // empty where there is no callable
-  void rethrow();
-
- private:
-  py::object callable_;
-  std::exception_ptr error_;
-};
-
-// An M x 6 matrix as an M x a x b array, a b = 6.
-py::array_t<double> to_blocks(const Array6& m, int a, int b);
-
 void bind_errors(py::module_& module);
-void bind_findings(py::module_& module);
 void bind_parameters(py::module_& module);
 void bind_meshes(py::module_& module);
 void bind_design(py::module_& module);

@@ -7,7 +7,6 @@ PYBIND11_MODULE(_native, module) {
   module.doc() = "Native part of CurveUps: layout, truncation, contacts and tile solids.";
   module.attr("__version__") = CURVEUPS_VERSION;
   bind_errors(module);
-  bind_findings(module);
   module.def("thread_count", &curveups::thread_count, "Threads that parallel loops use.");
   module.def("set_thread_count", &curveups::set_thread_count, py::arg("count"),
              "Sets the number of threads; results do not depend on it.");

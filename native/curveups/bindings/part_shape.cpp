@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/bindings/part_shape.hpp"
+#include "curveups/bindings/bindings.hpp"
 
 #ifdef __linux__
 #include <dlfcn.h>
@@ -36,10 +36,10 @@ Convert find_conversion(const py::module_& part) {
 
 }  // namespace
 
-py::object to_part_shape(const TopoDS_Shape& shape, bool direct) {
+py::object to_part_shape(const TopoDS_Shape& shape) {
   py::module_::import("FreeCAD");
   const py::module_ part = py::module_::import("Part");
-  if (const Convert convert = direct ? find_conversion(part) : nullptr) {
+  if (const Convert convert = find_conversion(part)) {
     ReturnedObject returned;
     convert(&returned, shape);
     if (returned.object) return py::reinterpret_steal<py::object>(returned.object);

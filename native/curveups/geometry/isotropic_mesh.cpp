@@ -6,8 +6,8 @@
 #include <CGAL/version.h>
 
 #include <algorithm>
-#include <exception>
-#include <new>
+#include <stdexcept>
+#include <string>
 
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
@@ -86,11 +86,7 @@ IsotropicMesh isotropic_mesh(const IsotropicMesh& surface, double length, int it
                                  .vertex_point_map(SoundPoints{{&mesh, &reads}})
                                  .edge_is_constrained_map(feature)
                                  .vertex_is_constrained_map(fixed));
-  } catch (const Error&) {  // of SoundPoints and checkpoints
-    throw;
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& error) {
+  } catch (const std::logic_error& error) {  // of CGAL
     throw SolverFailure("remeshing failed: " + std::string(error.what()),
                         "repair the surface, or give a remeshed one and switch remeshing off");
   }
