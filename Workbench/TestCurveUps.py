@@ -15,7 +15,7 @@ ROOT = Path(__file__).resolve().parents[1]
 
 
 class TestCurveUps(unittest.TestCase):
-    """One small dome from target to print files, in a document."""
+    """Small dome from target to print files, in a document."""
 
     def setUp(self) -> None:
         folder = tempfile.TemporaryDirectory()
@@ -36,7 +36,7 @@ class TestCurveUps(unittest.TestCase):
         return design
 
     def test_native_module(self) -> None:
-        """It is there, for this Python and of this version."""
+        """The native module is there, for this Python and of this version."""
         from curveups import __version__
         from curveups.base.native import problem
 

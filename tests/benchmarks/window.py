@@ -157,7 +157,7 @@ def work():
 
 
 def measure(scale: float) -> dict[str, float]:
-    """What GOALS names, and the number of tiles."""
+    """Figures that GOALS names, and the number of tiles."""
     with tempfile.TemporaryDirectory() as place:
         home, figures = freecad_home(Path(place) / "home", True), Path(place) / "figures.json"
         run_in_window(WORK, home, place, timeout=900, scale=scale, path=Path(place) / "large.FCStd",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the overlay draws, before any of it is drawn: motions, colours, fields."""
+"""Values that the overlay draws, without drawing: motions, colours, fields."""
 
 import numpy as np
 import pytest

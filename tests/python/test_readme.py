@@ -48,7 +48,7 @@ def pages():
 
 
 def anchors(page):
-    """What a page's headings are linked by."""
+    """Anchors of a page's headings."""
     heads = re.findall(r"(?m)^#+ (.+)$", page.read_text(encoding="utf-8"))
     return {re.sub(r"[^\w -]", "", head.lower()).replace(" ", "-") for head in heads}
 
