@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Target surfaces that come with the program, by formula.
+// Target surfaces that come with the program, each a formula over a region of the plane.
 #pragma once
 
 #include <string>
@@ -12,12 +12,10 @@ namespace curveups {
 struct LiftedRegion;
 
 struct BuiltinTarget {
-  std::string name;
-  std::string meaning;  // one line
+  std::string name, meaning;
   LiftedRegion (*region)();
 };
 
-// In the order in which they are listed.
 const std::vector<BuiltinTarget>& builtin_targets();
 
 // A fine triangulation (mm, fronts outward) whose vertices lie on the surface and whose faces stay

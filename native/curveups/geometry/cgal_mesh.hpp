@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A triangle mesh as CGAL's algorithms want it, for files of this room: CGAL stays inside. This
-// file uses CGAL's Surface_mesh, which is GPL-3.0-or-later (see README, Licence).
+// Triangle meshes for CGAL's algorithms, for files of this room alone. This file uses CGAL's
+// Surface_mesh, which is GPL-3.0-or-later (see README, Licence).
 #pragma once
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -16,8 +16,8 @@ namespace curveups::cgal {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-// Adds vertices and faces, numbered on from those there are. Returns the first face that would make
-// the mesh no manifold, or -1. Throws Cancelled.
+// Appends vertices and faces. Returns the first face that would make the mesh no manifold, or -1.
+// Throws Cancelled.
 inline int append(Mesh& to, const TriangleMesh& mesh) {
   const auto vertex = [first = static_cast<int>(to.num_vertices())](int v) {
     return Mesh::Vertex_index(first + v);
@@ -33,7 +33,7 @@ inline int append(Mesh& to, const TriangleMesh& mesh) {
   return -1;
 }
 
-// What is left of it, in CGAL's order.
+// Collects the mesh's garbage and copies the mesh in CGAL's order.
 inline TriangleMesh taken_from(Mesh& mesh) {
   mesh.collect_garbage();
   TriangleMesh out{Points3(mesh.num_vertices(), 3), Triangles(mesh.num_faces(), 3)};
@@ -50,17 +50,17 @@ inline TriangleMesh taken_from(Mesh& mesh) {
   return out;
 }
 
-// The points of a mesh as CGAL asks for them: what it does all the time and is ours, so that it can
-// be stopped.
+// Property map of a mesh's points that calls checkpoint() now and then: CGAL reads points all the
+// time, and so can be stopped.
 struct WatchedPoints {
   using key_type = Mesh::Vertex_index;
   using value_type = Kernel::Point_3;
   using reference = const value_type&;
   using category = boost::read_write_property_map_tag;
   Mesh* mesh;
-  std::size_t* asked;
+  std::size_t* reads;
   friend reference get(const WatchedPoints& points, key_type vertex) {
-    checkpoint_now_and_then(++*points.asked);
+    checkpoint_now_and_then(++*points.reads);
     return points.mesh->point(vertex);
   }
   friend void put(const WatchedPoints& points, key_type vertex, const value_type& point) {

@@ -3,18 +3,17 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/functional/hash.hpp>
 #include <cmath>
 #include <cstdint>
 #include <queue>
-#include <set>
 #include <unordered_map>
 #include <utility>
 
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/tolerances.hpp"
-#include "curveups/geometry/edge_sides.hpp"
-#include "curveups/geometry/orientation.hpp"
+#include "curveups/geometry/face_soup.hpp"
 
 namespace curveups {
 namespace {
@@ -22,7 +21,7 @@ namespace {
 constexpr double merge_share = 1e-7;
 using Face = std::array<int, 3>;
 
-// Longest edge of a face: its number.
+// Number (0 to 2) of the longest edge.
 int longest_side(const Points3& V, const Face& face) {
   int best = 0;
   double longest = -1;
@@ -41,7 +40,7 @@ bool flat(const Points3& V, const Face& face) {
   const Vec3 a = V.row(face[0]), b = V.row(face[1]), c = V.row(face[2]);
   const int t = longest_side(V, face);
   const double longest = (V.row(face[next3(t)]) - V.row(face[t])).squaredNorm();
-  return (b - a).cross(c - a).norm() <= 1e-10 * longest;  // nan: not flat, reported elsewhere
+  return (b - a).cross(c - a).norm() <= 1e-10 * longest;  // false for NaN, which check_mesh reports
 }
 
 Eigen::AlignedBox3d box_of(const Points3& V) {  // of the finite vertices
@@ -52,19 +51,15 @@ Eigen::AlignedBox3d box_of(const Points3& V) {  // of the finite vertices
   return box;
 }
 
-// For each vertex the lowest one within the tolerance that is its own target. Cells are several
-// tolerances wide, so that most vertices look into one of them only, and are counted from the box's
-// lowest corner: far from the origin all would lie in one.
+// For each vertex the lowest one within the tolerance that is its own target. Cells are eight
+// tolerances wide, so that most vertices search one cell, and start at the box's lowest corner:
+// indices would overflow far from the origin.
 std::vector<int> merged_vertices(const Points3& V, const Vec3& corner, double tolerance) {
   const double width = 8 * tolerance;
   using Cell = std::array<std::int64_t, 3>;
-  const auto hash = [](const Cell& cell) {
-    std::uint64_t h = 0;
-    for (std::int64_t k : cell) h = (h ^ static_cast<std::uint64_t>(k)) * 0x9e3779b97f4a7c15u;
-    return static_cast<std::size_t>(h ^ (h >> 32));
-  };
+  const auto hash = [](const Cell& cell) { return boost::hash_range(cell.begin(), cell.end()); };
   const auto index = [&](int k, double x) { return std::llround((x - corner[k]) / width); };
-  std::unordered_map<Cell, int, decltype(hash)> first(V.rows() / 4, hash);  // vertex of a cell
+  std::unordered_map<Cell, int, decltype(hash)> first(V.rows() / 4, hash);  // vertex in a cell
   std::vector<int> next(V.rows(), -1);                                      // in the same cell
   std::vector<int> target(V.rows());
   for (int v = 0; v < V.rows(); ++v) {
@@ -99,15 +94,23 @@ int flat_count(const Points3& V, const std::vector<Face>& faces) {
       std::count_if(faces.begin(), faces.end(), [&](const Face& f) { return flat(V, f); }));
 }
 
-// Removes the faces whose corners lie on a line: the faces beyond its longest edge are split at the
-// corner that lies on it. Returns how many are gone.
+void remove_marked(std::vector<Face>& faces, const std::vector<char>& marked) {
+  std::size_t kept = 0;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (!marked[f]) faces[kept++] = faces[f];
+  }
+  faces.resize(kept);
+}
+
+// Removes the faces whose corners lie on a line and splits the faces beyond their longest edges at
+// the corner that lies there. Returns how many are gone.
 int remove_slivers(const Points3& V, std::vector<Face>& faces) {
-  const int found = flat_count(V, faces);
-  if (found == 0) return 0;
+  const int before = flat_count(V, faces);
+  if (before == 0) return 0;
   std::unordered_map<std::uint64_t, std::vector<int>> at;  // edge -> faces
   at.reserve(2 * faces.size());
-  // Slivers by the length of their longest edge. The longest goes first: what it splits is then a
-  // face with area, or a sliver over the same edge, and no edge comes back that was taken away.
+  // The sliver with the longest edge goes first: it splits faces with area, or slivers over the
+  // same edge, and no removed edge returns.
   std::priority_queue<std::pair<double, int>> slivers;
   std::vector<char> dead;
   const auto list_at = [&](int a, int b) -> std::vector<int>& { return at[edge_key(a, b)]; };
@@ -130,7 +133,7 @@ int remove_slivers(const Points3& V, std::vector<Face>& faces) {
     checkpoint_now_and_then(f);
     link(f);
   }
-  // Edges of more than two faces multiply what is split: hostile input ends here, with its slivers.
+  // Edges of more than two faces multiply the splits; the bound ends that.
   const std::size_t bound = 16 * faces.size() + 64;
   for (std::size_t step = 0; !slivers.empty() && faces.size() < bound; ++step) {
     checkpoint_now_and_then(step);
@@ -156,30 +159,11 @@ int remove_slivers(const Points3& V, std::vector<Face>& faces) {
       }
     }
   }
-  std::size_t kept = 0;
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    if (!dead[f]) faces[kept++] = faces[f];
-  }
-  faces.resize(kept);
-  return found - flat_count(V, faces);
+  remove_marked(faces, dead);
+  return before - flat_count(V, faces);
 }
 
 }  // namespace
-
-std::vector<int> repeated_faces(const Eigen::Ref<const Triangles>& F, int vertex_count) {
-  std::vector<int> repeated;
-  const auto visit = [&](const EdgeSide* begin, const EdgeSide* end) {
-    if (end - begin < 2) return;
-    std::set<int> thirds;  // corners beside the edge, where it is the face's lowest one
-    for (const EdgeSide* side = begin; side != end; ++side) {
-      const int third = F(side->face, prev3(side->side));
-      if (third > side->high && !thirds.insert(third).second) repeated.push_back(side->face);
-    }
-  };
-  visit_edges(F, vertex_count, visit);
-  std::sort(repeated.begin(), repeated.end());
-  return repeated;
-}
 
 bool has_no_area(const TriangleMesh& mesh, int face) {
   return flat(mesh.V, {mesh.F(face, 0), mesh.F(face, 1), mesh.F(face, 2)});
@@ -218,27 +202,20 @@ CleanMesh clean_mesh(const TriangleMesh& soup) {
     }
     note(merged, " coincident vertices merged");
   }
-  const auto collapsed = std::remove_if(faces.begin(), faces.end(), [](const Face& f) {
-    return f[0] == f[1] || f[1] == f[2] || f[2] == f[0];
-  });
-  const std::size_t lost = faces.end() - collapsed;
-  faces.erase(collapsed, faces.end());
-  note(lost + remove_slivers(soup.V, faces), " faces without area removed");
+  std::vector<char> collapsed;
+  for (const Face& f : faces) {
+    collapsed.push_back(f[0] == f[1] || f[1] == f[2] || f[2] == f[0]);
+  }
+  remove_marked(faces, collapsed);
+  note(std::count(collapsed.begin(), collapsed.end(), 1) + remove_slivers(soup.V, faces),
+       " faces without area removed");
   const auto rows = [&] {
     return Eigen::Map<const Triangles>(faces.data()->data(), faces.size(), 3);
   };
-  const std::vector<int> repeated = repeated_faces(rows(), static_cast<int>(soup.V.rows()));
-  std::size_t kept = 0;
-  auto next = repeated.begin();
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    if (next != repeated.end() && *next == static_cast<int>(f)) {
-      ++next;
-    } else {
-      faces[kept++] = faces[f];
-    }
-  }
-  faces.resize(kept);
-  note(repeated.size(), " doubled faces removed");
+  std::vector<char> repeated(faces.size(), 0);
+  for (int f : repeated_faces(rows(), static_cast<int>(soup.V.rows()))) repeated[f] = 1;
+  remove_marked(faces, repeated);
+  note(std::count(repeated.begin(), repeated.end(), 1), " doubled faces removed");
   out.mesh = used_part(soup.V, rows()).mesh;
   const Orientation orientation = orientation_of(out.mesh.V, out.mesh.F);
   if (orientation.consistent) {

@@ -55,7 +55,8 @@ ClosestPoints::ClosestPoints(const TriangleMesh& mesh) : impl_(std::make_unique<
     throw InvalidInput("the surface has a vertex that is not finite", "repair the file");
   }
   if (mesh.F.minCoeff() < 0 || mesh.F.maxCoeff() >= mesh.V.rows()) {
-    throw InvalidInput("a face of the surface names a vertex that there is not", "repair the file");
+    throw InvalidInput("a face of the surface names a vertex that does not exist",
+                       "repair the file");
   }
   impl_->triangles.reserve(mesh.F.rows());
   for (int f = 0; f < mesh.F.rows(); ++f) {
@@ -79,9 +80,9 @@ ClosestPoints::ClosestPoints(const TriangleMesh& mesh) : impl_(std::make_unique<
 ClosestPoints::~ClosestPoints() = default;
 
 ClosestPoint ClosestPoints::operator()(const Vec3& query) const {
-  const auto [found, triangle] =
+  const auto [nearest, triangle] =
       impl_->tree.closest_point_and_primitive(Kernel::Point_3(query.x(), query.y(), query.z()));
-  const Vec3 at(found.x(), found.y(), found.z());
+  const Vec3 at(nearest.x(), nearest.y(), nearest.z());
   return {at, static_cast<int>(triangle - impl_->triangles.cbegin()), (at - query).norm()};
 }
 
@@ -92,9 +93,8 @@ Vec3 ClosestPoints::normal(int face) const {
 
 Eigen::VectorXd distances(const Points3& points, const ClosestPoints& surface) {
   Eigen::VectorXd distance(points.rows());
-  parallel_ranges(static_cast<int>(points.rows()), [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) distance[i] = surface(points.row(i)).distance;
-  });
+  parallel_for(static_cast<int>(points.rows()),
+               [&](int i) { distance[i] = surface(points.row(i)).distance; });
   return distance;
 }
 

@@ -14,7 +14,7 @@ struct ClosestPoint {
   double distance;
 };
 
-// A search tree over the faces of a mesh. Queries are safe from several threads at once.
+// Search tree over the faces of a mesh. Queries are safe from several threads at once.
 class ClosestPoints {
  public:
   // Throws InvalidInput for a mesh without faces, vertices that are not finite and faces that name

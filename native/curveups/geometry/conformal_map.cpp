@@ -14,8 +14,8 @@
 namespace curveups {
 namespace {
 
-// Iterated vectors: four complex modes. The lowest converges with the ratio of the first to the
-// fifth eigenvalue instead of the first to the second, which a long strip has close together.
+// Vectors of the iteration: four complex modes. The lowest converges with the ratio of the first to
+// the fifth eigenvalue; the first two are close together for a long strip.
 constexpr int block = 8;
 constexpr int most_iterations = 200;
 
@@ -39,9 +39,8 @@ void check_topology(const TriangleMesh& mesh, const MeshTopology& topology) {
   }
 }
 
-// Weight of each vertex in the norm of the constraint: half of its boundary edges, as a share of
-// the boundary's length (so that a finely divided stretch of the boundary counts no more than a
-// coarse one).
+// Weight of each vertex in the norm of the constraint: half of its boundary edges over the
+// boundary's length.
 Eigen::VectorXd boundary_weights(const TriangleMesh& mesh, const MeshTopology& topology) {
   Eigen::VectorXd weight = Eigen::VectorXd::Zero(mesh.V.rows());
   for (const MeshEdge& edge : topology.edges) {
@@ -107,7 +106,7 @@ SparseMatrix conformal_energy(const TriangleMesh& mesh, const MeshTopology& topo
   return matrix;
 }
 
-// Takes the boundary's centroid out of every column.
+// Moves the boundary's centroid of every column to the origin.
 void centre(Eigen::MatrixXd& x, const Eigen::VectorXd& weight) {
   for (int c = 0; c < x.cols(); ++c) {
     Eigen::Map<Points2> points(x.col(c).data(), x.rows() / 2, 2);
@@ -116,8 +115,8 @@ void centre(Eigen::MatrixXd& x, const Eigen::VectorXd& weight) {
   }
 }
 
-// A start that spans similarities of the surface's projections and what turns them: no random
-// numbers, and no mode is orthogonal to all of it.
+// Start that spans similarities of the surface's projections, plus a deterministic ripple: no mode
+// is orthogonal to all of it.
 Eigen::MatrixXd start_vectors(const TriangleMesh& mesh) {
   const Points3 X = mesh.V.rowwise() - mesh.V.colwise().mean();
   const double size = std::max(X.rowwise().norm().maxCoeff(), 1e-300);
@@ -136,15 +135,15 @@ Eigen::MatrixXd start_vectors(const TriangleMesh& mesh) {
       x(2 * v + 1, 2 * k + 1) = -q[k][1];
     }
   }
-  // What keeps the projections of a flat or symmetric surface from being dependent.
+  // The ripple keeps projections of a flat or symmetric surface independent.
   for (int c = 0; c < block; ++c) {
     for (int i = 0; i < x.rows(); ++i) x(i, c) += 0.05 * std::sin(1.0 + i * (c + 1) * 0.7391);
   }
   return x;
 }
 
-// One step of subspace iteration: x becomes the Ritz vectors of K^-1 B x, those of least energy
-// first, of unit boundary norm; columns that depend on others become zero.
+// Takes one step of subspace iteration: x becomes the Ritz vectors of K^-1 B x of unit boundary
+// norm, the least energy first; dependent columns become zero.
 void improve(const SparseCholesky& solver, const Eigen::VectorXd& weight,
              const Eigen::VectorXd& norm, Eigen::MatrixXd& x) {
   const Eigen::MatrixXd rhs = norm.asDiagonal() * x;
@@ -155,7 +154,7 @@ void improve(const SparseCholesky& solver, const Eigen::VectorXd& weight,
   energy = (unit.asDiagonal() * (0.5 * (energy + energy.transpose())) * unit.asDiagonal()).eval();
   x = (x * unit.asDiagonal()).eval();
   centre(x, weight);
-  // The largest norms at unit energy: so the small energies, which matter, come out exactly.
+  // Largest norms at unit energy, so that the small energies are accurate.
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> basis(energy);
   for (int c = 0; c < block; ++c) {
     const double value = basis.eigenvalues()[c];
@@ -173,9 +172,9 @@ void improve(const SparseCholesky& solver, const Eigen::VectorXd& weight,
   x = (x * (whiten * (ritz.eigenvectors() * unit.asDiagonal()).rowwise().reverse())).eval();
 }
 
-// The generalised eigenvector of least eigenvalue by subspace iteration. The shift is a multiple of
-// the norm itself, so it changes no eigenvector; it only makes the matrix definite: translations
-// (and for a flat surface all similarities) have no energy.
+// Generalised eigenvector of the least eigenvalue. The shift is a multiple of the norm and changes
+// no eigenvector; it makes the matrix definite, as translations (and all similarities of a flat
+// surface) have no energy.
 Eigen::VectorXd least_mode(const TriangleMesh& mesh, const MeshTopology& topology) {
   const double shift = 1e-7;
   const Eigen::VectorXd weight = boundary_weights(mesh, topology);
@@ -196,7 +195,7 @@ Eigen::VectorXd least_mode(const TriangleMesh& mesh, const MeshTopology& topolog
     if (!x.allFinite()) {
       throw SolverFailure("the conformal map could not be computed", "remesh the surface");
     }
-    // The mode is a plane of vectors (rotations): compare with what the old one has outside it.
+    // Rotations of the mode span a plane: the change is the old vector's part outside of it.
     for (int v = 0; v < weight.size(); ++v) {
       turned[2 * v] = -x(2 * v + 1, 0);
       turned[2 * v + 1] = x(2 * v, 0);
@@ -206,7 +205,7 @@ Eigen::VectorXd least_mode(const TriangleMesh& mesh, const MeshTopology& topolog
         least - x.col(0) * x.col(0).dot(weighted) - turned * turned.dot(weighted);
     const double change = std::sqrt(std::max(0.0, rest.dot(norm.asDiagonal() * rest)));
     least = x.col(0);
-    // Below 1e-7 rounding may set in, seen by the change no longer shrinking.
+    // Below 1e-7 a change that no longer shrinks is rounding.
     if (change < 1e-11 || (change < 1e-7 && change > 0.9 * last_change)) break;
     last_change = change;
   }
@@ -218,10 +217,9 @@ double signed_area(const Triangles& F, const Points2& map, int f) {
   return 0.5 * wedge(b - a, c - a);
 }
 
-// The mesh with every boundary loop but the longest closed by a fan around its centroid. On a ring
-// z and 1 / z have the same energy by symmetry, and their sum folds over; with the holes closed
-// only maps without poles remain. The faces of the mesh come first, its vertices keep their
-// numbers.
+// Closes every boundary loop but the longest by a fan around its centroid, after the mesh's own
+// faces and vertices. On a ring z and 1 / z have the same energy by symmetry, and their sum folds
+// over; without holes only maps without poles remain.
 TriangleMesh with_holes_closed(const TriangleMesh& mesh, const MeshTopology& topology) {
   const std::vector<std::vector<int>> loops = boundary_loops(topology);
   std::size_t outer = 0;
@@ -274,7 +272,7 @@ Points2 conformal_map(const TriangleMesh& mesh) {
   if (!(area > 0)) {
     throw SolverFailure("the conformal map turned the surface over", "remesh the surface");
   }
-  // The mode is known up to a rotation: the first face's first edge points along x.
+  // Rotate the first face's first edge to x.
   const Vec2 edge = (map.row(mesh.F(0, 1)) - map.row(mesh.F(0, 0))).normalized();
   Eigen::Matrix2d turn;  // of rows
   turn << edge.x(), -edge.y(), edge.y(), edge.x();

@@ -8,19 +8,18 @@
 
 namespace curveups {
 
-// Flat positions (N x 2, mm) of the vertices of one connected, oriented piece with at least one
-// boundary loop: among all maps whose longest boundary loop has unit moment about its centroid the
-// one of least conformal energy, holes being closed for its sake. Faces keep their orientation
-// (counter-clockwise), the area of the map is the area of the surface, its centroid is the origin,
-// and the first edge of the first face points along x. Vertices that no face uses lie at the
-// origin. A flat mesh is mapped by a rigid motion. Conformal maps of smooth surfaces never fold,
-// discrete ones may in needles: conformal_scale tells. Throws TopologyError (what build_topology
-// and boundary_loops refuse, several components, a closed surface, a surface with handles: those
-// need cuts), InvalidInput (a vertex that is not finite, a face without area), SolverFailure.
+// Flat positions (N x 2, mm) of the vertices of one connected, oriented piece with a boundary. The
+// map has the least conformal energy among all whose longest boundary loop has unit moment about
+// its centroid; the other loops are closed meanwhile. Faces stay counter-clockwise, the area is the
+// surface's, the centroid is the origin, and the first edge of the first face points along x.
+// Unused vertices lie at the origin. A flat mesh moves rigidly. Needles may fold (see
+// conformal_scale). Throws TopologyError (what build_topology and boundary_loops refuse, several
+// components, a closed surface, handles), InvalidInput (a vertex that is not finite, a face without
+// area), SolverFailure.
 Points2 conformal_map(const TriangleMesh& mesh);
 
-// Per face the factor by which the map scales lengths: the root of the ratio of the areas; negative
-// where the map turns the face over.
+// Scale of lengths per face, the root of the ratio of areas; negative where the face is turned
+// over.
 Eigen::VectorXd conformal_scale(const TriangleMesh& mesh, const Points2& map);
 
 }  // namespace curveups

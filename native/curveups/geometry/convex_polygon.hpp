@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Convex polygons in the plane, counter-clockwise, in one unit of length. Nothing throws: what is
-// nothing (fewer than three corners) is empty.
+// Convex polygons in the plane, counter-clockwise. Results with fewer than three corners are empty;
+// nothing throws.
 #pragma once
 
 #include <vector>
@@ -11,28 +11,28 @@ namespace curveups {
 
 using Polygon = std::vector<Vec2>;
 
-// Of at least one point; without corners on its sides. Points on a line give fewer than three.
+// Convex hull of at least one point, without corners on its sides; fewer than three for a line.
 Polygon convex_hull(std::vector<Vec2> points);
 
-// Keeps what has normal . x <= offset; empty where nothing is left.
+// Part of the polygon with normal . x <= offset.
 Polygon clip(const Polygon& polygon, const Vec2& normal, double offset);
 
-// What two convex polygons have in common.
+// Intersection of two convex polygons.
 Polygon intersection(const Polygon& a, const Polygon& b);
 
 // Points of the polygon at least `distance` away from all of its edges.
 Polygon inset(const Polygon& polygon, double distance);
 
-// Of any simple polygon, positive where it runs counter-clockwise.
+// Area of any simple polygon, positive for a counter-clockwise one.
 double area(const Polygon& polygon);
 
-// Whether p lies inside any simple polygon.
+// Point in polygon, for any simple polygon.
 bool contains(const Polygon& polygon, const Vec2& p);
 
 // Distance of p from the polygon, 0 inside.
 double distance(const Polygon& polygon, const Vec2& p);
 
-// Least distance of two parallel lines that have the polygon between them.
+// Least distance of two parallel lines with the polygon between them.
 double width(const Polygon& polygon);
 
 // Distance of p from the segment from a to b.

@@ -21,7 +21,7 @@ void add_path(const std::vector<int>& path, EdgeSet& out) {
   }
 }
 
-// From one end of the surface to the other: the vertex farthest from the first, and the one
+// Path from one end of the surface to the other: the vertex farthest from the first, and the vertex
 // farthest from that.
 std::vector<int> longest_path(const TriangleMesh& mesh, const MeshTopology& topology) {
   const std::vector<double> length = edge_lengths(mesh, topology);
@@ -35,8 +35,7 @@ std::vector<int> longest_path(const TriangleMesh& mesh, const MeshTopology& topo
     path = tree.path_to(end);
   }
   if (path.size() < 3) {
-    // Ends that are neighbours: over the third corner of a face of theirs, as a slit of one edge
-    // opens nothing.
+    // A slit of one edge opens nothing: neighbours are joined over the third corner of a face.
     for (int i = 0; i < mesh.F.size(); ++i) {
       const int f = i / 3, t = i % 3, a = mesh.F(f, t), b = mesh.F(f, next3(t));
       if (a == path.front() && b == path.back()) return {a, mesh.F(f, prev3(t)), b};
@@ -109,12 +108,12 @@ EdgeSet handle_cuts(const TriangleMesh& mesh, const MeshTopology& topology) {
 
 Edges opening_cuts(const TriangleMesh& mesh, const MeshTopology& topology,
                    const std::vector<char>& cut) {
-  EdgeSet found;
+  EdgeSet cuts;
   auto keep = [&](const std::vector<MeshPiece>& pieces, const auto& cuts_of) {
     for (const MeshPiece& piece : pieces) {
       const MeshTopology own = build_topology(piece.mesh.F, static_cast<int>(piece.mesh.V.rows()));
       for (const auto& edge : cuts_of(piece.mesh, own)) {
-        add_path({piece.original[edge[0]], piece.original[edge[1]]}, found);
+        add_path({piece.original[edge[0]], piece.original[edge[1]]}, cuts);
       }
     }
   };
@@ -123,13 +122,13 @@ Edges opening_cuts(const TriangleMesh& mesh, const MeshTopology& topology,
     if (boundary_loops(own).empty()) add_path(longest_path(piece, own), slit);
     return slit;
   });
-  std::vector<char> all = mark_cuts(topology, rows_of(found));
+  std::vector<char> all = mark_cuts(topology, rows_of(cuts));
   for (std::size_t e = 0; e < cut.size(); ++e) all[e] = all[e] || cut[e];
   keep(cut_into_pieces(mesh, topology, all), [](const TriangleMesh& piece, const auto& own) {
     const int loops = static_cast<int>(boundary_loops(own).size());
     return handle_count(own, loops) > 0 ? handle_cuts(piece, own) : EdgeSet();
   });
-  return rows_of(found);
+  return rows_of(cuts);
 }
 
 }  // namespace curveups

@@ -8,23 +8,22 @@
 
 namespace curveups {
 
-// No piece gets fewer faces than these on average: it would be hardly more than a hinge.
+// Least mean number of faces of a piece.
 inline constexpr int least_faces_of_piece = 12;
 
 struct SurfaceDivision {
-  std::vector<int> piece;  // of each face; from 0 in the order of the lowest faces
-  Edges borders;           // where pieces meet, besides the cuts that were given
-  Edges slits;             // cuts inside of pieces, after which each can be laid flat
+  std::vector<int> piece;  // per face, from 0 in the order of the lowest faces
+  Edges borders;           // edges between pieces besides the given cuts
+  Edges slits;             // cuts inside of pieces, which then lie flat
 };
 
-// Divides the surface, of which the edges with cut[edge] != 0 are cut already (one entry per
-// topology.edges, or empty), into `count` pieces of about the same area with short borders
-// (face_regions); pieces that there are already count. All edges are vertex pairs, the lower first,
-// ascending. Slits: where the new borders of a piece are several loops, shortest paths join them to
-// one, as a ring lies flat with less stretch than a tube; opening_cuts does the rest (handles, and
-// closed parts that stay whole). Holes of the surface may stay. Deterministic. Throws InvalidInput
-// for a count below one or of less than least_faces_of_piece faces each, and what boundary_loops
-// throws.
+// Divides a surface that is cut along the edges with cut[edge] != 0 (one entry per topology.edges,
+// or empty) into `count` pieces of about the same area with short borders; pieces under the given
+// cuts count. All edges are vertex pairs, the lower first, ascending. Slits: shortest paths join
+// several loops of new borders to one, as a ring lies flat with less stretch than a tube;
+// opening_cuts does the rest (handles, closed parts). Holes of the surface may stay. Deterministic.
+// Throws InvalidInput for a count below one or of less than least_faces_of_piece faces each, and
+// what boundary_loops throws.
 SurfaceDivision divide_surface(const TriangleMesh& mesh, const MeshTopology& topology,
                                const std::vector<char>& cut, int count);
 

@@ -59,13 +59,6 @@ PathTree shortest_paths(const MeshTopology& topology, const std::vector<double>&
 
 std::vector<int> shortest_edge_path(const TriangleMesh& mesh, const Points3& points) {
   if (points.rows() == 0) throw InvalidInput("the polyline has no points", "give two or more");
-  if (!points.allFinite()) {
-    throw InvalidInput("the polyline has a point that is not finite", "repair the cuts");
-  }
-  if (mesh.V.rows() == 0 || !mesh.V.allFinite()) {
-    throw InvalidInput("the surface has no vertices, or some that are not finite",
-                       "repair the file");
-  }
   const int vertex_count = static_cast<int>(mesh.V.rows());
   const MeshTopology topology = build_topology(mesh.F, vertex_count);
   const std::vector<double> length = edge_lengths(mesh, topology);
@@ -82,7 +75,6 @@ std::vector<int> shortest_edge_path(const TriangleMesh& mesh, const Points3& poi
         nearest = v;
       }
     }
-    if (nearest < 0) throw InvalidInput("the surface has no faces", "check the input file");
     if (path.empty()) {
       path.push_back(nearest);
       continue;

@@ -11,10 +11,21 @@
 namespace curveups {
 namespace {
 
-// Angles below this are not made by flips (rad).
+template <class Wrong>
+std::vector<int> faces_where(const Triangles& F, const Wrong& wrong) {
+  std::vector<char> marked(F.rows(), 0);
+  parallel_for(static_cast<int>(F.rows()), [&](int f) { marked[f] = wrong(f); });
+  std::vector<int> out;
+  for (int f = 0; f < F.rows(); ++f) {
+    if (marked[f]) out.push_back(f);
+  }
+  return out;
+}
+
+// Least angle that a flip may make, rad.
 constexpr double least_angle = 0.35;
-// Faces with a smaller one (three boundary vertices on a line, which collapsing leaves) are flipped
-// away whatever the valences (rad).
+// Angle below which a face is flipped away whatever the valences, rad: collapsing leaves such faces
+// on three boundary vertices on a line.
 constexpr double cap_angle = 0.05;
 
 double smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -24,8 +35,7 @@ double smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
   return std::min({angle(b - a, c - a), angle(c - b, a - b), angle(a - c, b - c)});
 }
 
-// One damped step of all springs; the vertices that are free return to the surface, and moves that
-// would spoil a face are cut short.
+// Takes one damped step of all springs; free vertices return to the surface.
 void relax_springs(const Triangles& F, SurfacePoints& points, const MeshTopology& topology,
                    double length, const std::vector<char>& free, const ClosestPoints& surface) {
   const Points3& V = points.V;
@@ -41,20 +51,69 @@ void relax_springs(const Triangles& F, SurfacePoints& points, const MeshTopology
     degree[edge.v[1]] += 1;
   }
   SurfacePoints moved = points;
-  parallel_ranges(static_cast<int>(V.rows()), [&](int begin, int end) {
-    for (int v = begin; v < end; ++v) {
-      if (!free[v] || degree[v] == 0) continue;
-      const Vec3 p = V.row(v) + 0.8 / degree[v] * move.row(v);
-      const ClosestPoint there = surface(p);
-      moved.V.row(v) = there.point;
-      moved.normal.row(v) = surface.normal(there.face);
-    }
+  parallel_for(static_cast<int>(V.rows()), [&](int v) {
+    if (!free[v] || degree[v] == 0) return;
+    const Vec3 p = V.row(v) + 0.8 / degree[v] * move.row(v);
+    const ClosestPoint closest = surface(p);
+    moved.V.row(v) = closest.point;
+    moved.normal.row(v) = surface.normal(closest.face);
   });
   cut_short(F, points, moved, surface);
   points = std::move(moved);
 }
 
 }  // namespace
+
+double soundness(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal) {
+  const double longest =
+      std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  if (!(longest > 0)) return 0;
+  const Vec3 area = (b - a).cross(c - a);
+  const double size = normal.norm();
+  return (size > 0 ? area.dot(normal) / size : area.norm()) / longest;
+}
+
+double soundness(const SurfacePoints& points, const Triangles& F, int face) {
+  const int a = F(face, 0), b = F(face, 1), c = F(face, 2);
+  const Vec3 normal = points.normal.row(a) + points.normal.row(b) + points.normal.row(c);
+  return soundness(points.V.row(a), points.V.row(b), points.V.row(c), normal);
+}
+
+std::vector<int> unsound_faces(const SurfacePoints& points, const Triangles& F) {
+  return faces_where(F, [&](int f) { return soundness(points, F, f) < least_soundness; });
+}
+
+void cut_short(const Triangles& F, const SurfacePoints& before, SurfacePoints& after,
+               const ClosestPoints& surface) {
+  constexpr double least_share = 0.1;  // of a move, below which it is left out
+  std::vector<double> share;
+  // Ends: shares only shrink, and faces without a moving vertex are as before.
+  for (;;) {
+    const std::vector<int> spoiled = faces_where(F, [&](int f) {
+      const double now = soundness(after, F, f);
+      return now < least_soundness && now < soundness(before, F, f);
+    });
+    if (spoiled.empty()) return;
+    if (share.empty()) share.assign(before.V.rows(), 1);
+    std::vector<int> vertices;
+    for (int f : spoiled) vertices.insert(vertices.end(), F.data() + 3 * f, F.data() + 3 * f + 3);
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    for (int v : vertices) {
+      share[v] *= 0.5;
+      if (share[v] < least_share || after.V.row(v) == before.V.row(v)) {
+        share[v] = 0;  // and the old normal: a point on an edge may have several
+        after.V.row(v) = before.V.row(v);
+        after.normal.row(v) = before.normal.row(v);
+        continue;
+      }
+      const Vec3 half = 0.5 * (before.V.row(v) + after.V.row(v));
+      const ClosestPoint closest = surface(half);
+      after.V.row(v) = closest.point;
+      after.normal.row(v) = surface.normal(closest.face);
+    }
+  }
+}
 
 int flip_towards_regular(IsotropicMesh& mesh) {
   Triangles& F = mesh.mesh.F;
@@ -90,7 +149,7 @@ int flip_towards_regular(IsotropicMesh& mesh) {
     const bool cap = worst < cap_angle && flipped > 2 * worst;
     if (!regular && !cap && !(after == before && flipped > worst + 0.05)) continue;
     if (joined.count(edge_key(c, d)) != 0) continue;
-    // By area where one is flat: its own normal means nothing.
+    // Weighted by area where one is flat and has no normal of its own.
     const Vec3 first = (B - A).cross(C - A), second = (A - B).cross(D - B);
     const Vec3 normal = cap ? Vec3(first + second) : first.normalized() + second.normalized();
     if ((D - C).cross(B - C).dot(normal) <= 0 || (C - D).cross(A - D).dot(normal) <= 0) continue;
@@ -117,16 +176,14 @@ SurfacePoints even_edges(IsotropicMesh& mesh, double length, int passes,
     if (edge.boundary()) free[edge.v[0]] = free[edge.v[1]] = 0;
   }
   SurfacePoints points{mesh.mesh.V, Points3(vertices, 3)};
-  std::vector<char> on_feature(vertices, 0);  // where the surface has a normal on either side
+  std::vector<char> on_feature(vertices, 0);  // the surface has two normals there
   for (const auto& [a, b] : mesh.features) on_feature[a] = on_feature[b] = 1;
-  parallel_ranges(vertices, [&](int begin, int end) {
-    for (int v = begin; v < end; ++v) {
-      if (mesh.fixed[v] || on_feature[v]) free[v] = 0;
-      if (on_feature[v]) {
-        points.normal.row(v).setZero();
-      } else {
-        points.normal.row(v) = surface.normal(surface(points.V.row(v)).face);
-      }
+  parallel_for(vertices, [&](int v) {
+    if (mesh.fixed[v] || on_feature[v]) free[v] = 0;
+    if (on_feature[v]) {
+      points.normal.row(v).setZero();
+    } else {
+      points.normal.row(v) = surface.normal(surface(points.V.row(v)).face);
     }
   });
   for (int pass = 0; pass < passes; ++pass) {

@@ -19,40 +19,14 @@ namespace {
 using cgal::Kernel, cgal::Mesh;
 namespace pmp = CGAL::Polygon_mesh_processing;
 
-// Which vertices stay; CGAL asks at every turn, and so lets itself be stopped.
-struct FixedVertices {
-  using key_type = Mesh::Vertex_index;
-  using value_type = bool;
-  using reference = bool;
-  using category = boost::read_write_property_map_tag;
-
-  friend bool get(const FixedVertices& map, key_type vertex) {
-    if (++map.asked % 1024 == 0) checkpoint();
-    return map.fixed[vertex];
-  }
-  // CGAL's manual asks for it; whether it is called depends on the version.
-  [[maybe_unused]] friend void put(const FixedVertices& map, key_type vertex, bool value) {
-    map.fixed[vertex] = value;
-  }
-
-  Mesh::Property_map<Mesh::Vertex_index, bool> fixed;
-  mutable unsigned asked = 0;
-};
-
-// The vertices' points. CGAL's relaxation (5.5) reads the edge of no halfedge after it has moved a
-// vertex to where none of its faces has an area: such moves, which bodies of the size of a tile
-// come to, are not made.
-struct SoundPoints {
-  using key_type = Mesh::Vertex_index;
-  using value_type = Kernel::Point_3;
-  using reference = const Kernel::Point_3&;
-  using category = boost::read_write_property_map_tag;
-
-  // Whether v, with this point, would only have triangles without area, as far as rounding tells.
-  bool flattens(key_type v, const Kernel::Point_3& p) const {
+// CGAL's relaxation (5.5) reads the edge of no halfedge once all faces of a vertex have lost their
+// area, which happens on bodies of the size of a tile: such moves are left out.
+struct SoundPoints : cgal::WatchedPoints {
+  // Whether v at this point would only have triangles without area, as far as rounding tells.
+  bool flattens(key_type v, const value_type& p) const {
     if (mesh->is_isolated(v)) return false;
     for (const auto h : mesh->halfedges_around_target(mesh->halfedge(v))) {
-      if (mesh->is_border(h)) return false;  // stays where it is
+      if (mesh->is_border(h)) return false;  // v does not move
       const auto next = mesh->next(h);
       if (mesh->next(mesh->next(next)) != h) return false;  // its edge is being split
       const Kernel::Vector_3 a = mesh->point(mesh->target(next)) - p;
@@ -63,7 +37,6 @@ struct SoundPoints {
     return true;
   }
 
-  friend reference get(const SoundPoints& map, key_type v) { return map.mesh->point(v); }
   friend void put(const SoundPoints& map, key_type v, const value_type& p) {
     if (!map.flattens(v, p)) {
       map.mesh->point(v) = p;
@@ -72,13 +45,11 @@ struct SoundPoints {
                           "choose a smaller L, or remove the part");
     }
   }
-
-  Mesh* mesh;
 };
 
-// CGAL 6 removes a face without area at the boundary, such as collapsing leaves where three
-// boundary vertices are on a line, and then asks for its edges, at times for ever. Here no face is
-// one, and collapses that would make one turn a face over, which CGAL does not do.
+// CGAL 6 removes faces without area at the boundary, which collapsing leaves where three boundary
+// vertices lie on a line, and then reads their edges, at times forever. With this predicate no face
+// counts as one; collapses that would make one turn a face over, and CGAL leaves those out.
 struct Traits : Kernel {
 #if CGAL_VERSION_NR >= 1060000000
   struct Collinear_3 {
@@ -106,19 +77,18 @@ IsotropicMesh isotropic_mesh(const IsotropicMesh& surface, double length, int it
     const auto side = mesh.halfedge(Mesh::Vertex_index(a), Mesh::Vertex_index(b));
     if (side != Mesh::null_halfedge()) feature[mesh.edge(side)] = true;
   }
+  std::size_t reads = 0;
   try {
     pmp::isotropic_remeshing(faces(mesh), length, mesh,
                              CGAL::parameters::number_of_iterations(iterations)
                                  .number_of_relaxation_steps(3)
                                  .geom_traits(Traits())
-                                 .vertex_point_map(SoundPoints{&mesh})
+                                 .vertex_point_map(SoundPoints{{&mesh, &reads}})
                                  .edge_is_constrained_map(feature)
-                                 .vertex_is_constrained_map(FixedVertices{fixed}));
-  } catch (const Cancelled&) {
+                                 .vertex_is_constrained_map(fixed));
+  } catch (const Error&) {  // of SoundPoints and checkpoints
     throw;
   } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const TopologyError&) {
     throw;
   } catch (const std::exception& error) {
     throw SolverFailure("remeshing failed: " + std::string(error.what()),

@@ -12,12 +12,12 @@ namespace curveups {
 struct IsotropicMesh {
   TriangleMesh mesh;
   std::vector<char> fixed;                   // per vertex
-  std::vector<std::array<int, 2>> features;  // edges inside that stay edges, by their vertices
+  std::vector<std::array<int, 2>> features;  // inner edges that stay edges, by their vertices
 };
 
-// Splits edges longer than 4/3 length, collapses those shorter than 4/5, flips towards regular
+// Splits edges longer than 4/3 length, collapses edges shorter than 4/5, flips towards regular
 // valence and relaxes, `iterations` times. Fixed vertices stay, boundary vertices stay on the
-// boundary, those of features on their lines.
+// boundary, vertices of features on their lines. Throws TopologyError, SolverFailure, Cancelled.
 IsotropicMesh isotropic_mesh(const IsotropicMesh& surface, double length, int iterations);
 
 }  // namespace curveups

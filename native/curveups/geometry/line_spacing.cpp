@@ -5,28 +5,41 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <unordered_map>
-
-#include "curveups/geometry/feature_lines.hpp"
 
 namespace curveups {
 namespace {
 
-// A point to be inserted into the edge of a line that follows on one of its vertices, or that
-// vertex itself.
+using Neighbours = std::map<int, std::vector<int>>;  // by vertex, along the lines, ascending
+
+Neighbours neighbours_of(const Edges& edges) {
+  Neighbours next;
+  for (int e = 0; e < edges.rows(); ++e) {
+    next[edges(e, 0)].push_back(edges(e, 1));
+    next[edges(e, 1)].push_back(edges(e, 0));
+  }
+  for (auto& [vertex, list] : next) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+  return next;
+}
+
+// Point to be inserted into the edge after a vertex of a line, or that vertex itself.
 struct Mark {
   int at;        // place of the vertex in the line
   double share;  // of the edge, 0 at its start
 };
 
-// Vertices within this share of an edge's end stand for points near them.
+// Share of an edge within which its ends replace a point.
 constexpr double snap_share = 1e-6;
 
 double turn(const Vec3& in, const Vec3& out) {
   return std::atan2(in.cross(out).norm(), in.dot(out));
 }
 
-// A line by arc length. arc: of its vertices, and the whole length at the end of a closed one.
+// Line by arc length. arc: lengths up to its vertices, and the whole length of a closed one.
 struct Arc {
   const Points3& V;
   const FeatureLine& line;
@@ -49,7 +62,7 @@ struct Arc {
   }
 };
 
-// Places in the line of those corners that the line turns at as seen from `reach` away.
+// Corners at which the line turns as seen from `reach` away.
 std::vector<int> wide_corners(const Arc& arc, const std::vector<int>& corners, double corner_angle,
                               double reach) {
   reach = std::min(reach, arc.arc.back() / 8);
@@ -128,6 +141,69 @@ std::vector<Mark> marks_of_line(const Points3& V, const FeatureLine& whole, doub
 }
 
 }  // namespace
+
+Edges crease_edges(const TriangleMesh& mesh, const MeshTopology& topology, double angle,
+                   double least) {
+  std::vector<std::array<int, 2>> sharp;
+  for (const MeshEdge& edge : topology.edges) {
+    if (edge.boundary()) continue;
+    const Vec3 a = face_area_vector(mesh, edge.face[0]), b = face_area_vector(mesh, edge.face[1]);
+    if (!(a.norm() > 0) || !(b.norm() > 0)) continue;
+    if (std::atan2(a.cross(b).norm(), a.dot(b)) <= angle) continue;
+    sharp.push_back({std::min(edge.v[0], edge.v[1]), std::max(edge.v[0], edge.v[1])});
+  }
+  std::sort(sharp.begin(), sharp.end());
+  const Neighbours next = neighbours_of(rows_of(sharp));
+  std::set<int> noise, seen;  // vertices of sets that are too short
+  for (const auto& entry : next) {
+    if (!seen.insert(entry.first).second) continue;
+    std::vector<int> part(1, entry.first);
+    double length = 0;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      for (int v : next.at(part[i])) {
+        length += 0.5 * (mesh.V.row(v) - mesh.V.row(part[i])).norm();
+        if (seen.insert(v).second) part.push_back(v);
+      }
+    }
+    if (length < least) noise.insert(part.begin(), part.end());
+  }
+  sharp.erase(std::remove_if(sharp.begin(), sharp.end(),
+                             [&](const auto& pair) { return noise.count(pair[0]) != 0; }),
+              sharp.end());
+  return rows_of(sharp);
+}
+
+std::vector<FeatureLine> feature_lines(const Edges& edges, const std::vector<char>& is_end) {
+  const Neighbours next = neighbours_of(edges);
+  const auto ends = [&](int v) { return is_end[v] || next.at(v).size() != 2; };
+  std::set<std::array<int, 2>> done;
+  std::vector<FeatureLine> lines;
+  const auto follow = [&](int from, int to) {
+    if (done.count({std::min(from, to), std::max(from, to)})) return;
+    FeatureLine line{{from}, false};
+    const int start = from;
+    for (;;) {
+      done.insert({std::min(from, to), std::max(from, to)});
+      if (to == start && !ends(to)) {
+        line.closed = true;
+        break;
+      }
+      line.vertices.push_back(to);
+      if (ends(to)) break;
+      const std::vector<int>& both = next.at(to);
+      const int on = both[0] == from ? both[1] : both[0];
+      from = to;
+      to = on;
+    }
+    lines.push_back(std::move(line));
+  };
+  for (const auto& [v, list] : next) {
+    if (!ends(v)) continue;
+    for (int to : list) follow(v, to);
+  }
+  for (const auto& [v, list] : next) follow(v, list.front());  // closed lines
+  return lines;
+}
 
 IsotropicMesh space_lines(const TriangleMesh& mesh, const Edges& features, double length,
                           double corner_angle, double reach) {

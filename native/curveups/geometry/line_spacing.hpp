@@ -1,18 +1,33 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Evenly spaced vertices on the boundary and the feature lines of a mesh.
+// Lines of a surface that stay edges of its tiling (creases, given features, the boundary), and
+// evenly spaced vertices on them.
 #pragma once
 
 #include "curveups/geometry/isotropic_mesh.hpp"
 
 namespace curveups {
 
-// The mesh with vertices inserted into its boundary edges and `features` (vertex pairs; their faces
-// are split into fans), so that each stretch between two corners (turns above `corner_angle`, rad,
-// and ends of features), or each whole loop, is divided into equal arcs of about `length`; a loop
-// into three at least. These vertices and the corners are marked as fixed, all others are free.
-// Pairs that are no edge are left out. Where `reach` (mm) is not 0, lines must turn that much
-// between points this far on either side, too, and of corners nearer than that to one another the
-// sharpest is one: otherwise every tooth of a ragged line is.
+// Interior edges (vertex pairs, lower vertex first, ascending) where the normals of the two faces
+// differ by more than `angle` (rad). Connected sets of edges shorter than `least` (mm) altogether
+// are noise and left out. Faces without area have no creases.
+Edges crease_edges(const TriangleMesh& mesh, const MeshTopology& topology, double angle,
+                   double least);
+
+struct FeatureLine {
+  std::vector<int> vertices;  // along the line; of a closed line each once
+  bool closed;
+};
+
+// Joins edges (vertex pairs) to lines, which end where other than two edges meet and in vertices
+// with `is_end`. In the order of the lowest vertices.
+std::vector<FeatureLine> feature_lines(const Edges& edges, const std::vector<char>& is_end);
+
+// Inserts vertices into boundary edges and `features` (vertex pairs; their faces are split into
+// fans), so that each stretch between two corners (turns above `corner_angle`, rad, and ends of
+// features), or each whole loop, is divided into equal arcs of about `length`, a loop into three at
+// least. These vertices and the corners are fixed, all others free. Pairs that are no edge are left
+// out. Ragged lines: with `reach` (mm) above 0 a corner also turns by that much between points this
+// far on either side, and only the sharpest of corners within the reach counts.
 IsotropicMesh space_lines(const TriangleMesh& mesh, const Edges& features, double length,
                           double corner_angle, double reach = 0);
 

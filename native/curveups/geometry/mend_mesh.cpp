@@ -1,21 +1,38 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+// This file uses CGAL's Polygon Mesh Processing, which is GPL-3.0-or-later (see README, Licence).
 #include "curveups/geometry/mend_mesh.hpp"
 
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <exception>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <new>
 #include <utility>
 
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
+#include "curveups/geometry/cgal_mesh.hpp"
 #include "curveups/geometry/clean_mesh.hpp"
-#include "curveups/geometry/fill_holes.hpp"
-#include "curveups/geometry/manifold_parts.hpp"
+#include "curveups/geometry/cut_mesh.hpp"
 #include "curveups/geometry/mesh_checks.hpp"
 
 namespace curveups {
 namespace {
 
+using cgal::Kernel, cgal::Mesh;
+namespace pmp = CGAL::Polygon_mesh_processing;
+
 constexpr double tile_area = 0.433;  // of an equilateral triangle, in L^2
+
+MeshTopology topology_of(const TriangleMesh& mesh) {
+  return build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
+}
 
 UsedPart without_faces(const TriangleMesh& mesh, const std::vector<char>& gone) {
   std::vector<int> kept;
@@ -25,8 +42,105 @@ UsedPart without_faces(const TriangleMesh& mesh, const std::vector<char>& gone) 
   return used_part(mesh.V, mesh.F(kept, Eigen::seqN(0, 3)));
 }
 
-MeshTopology topology_of(const TriangleMesh& mesh) {
-  return build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
+// Whether every edge has one face, or two that run along it in opposite directions, and every
+// vertex one fan of faces.
+bool is_manifold(const TriangleMesh& mesh) {
+  try {
+    // cut_open makes several vertices of one with several fans.
+    return cut_open(mesh, topology_of(mesh), {}).mesh.V.rows() == mesh.V.rows();
+  } catch (const TopologyError&) {
+    return false;
+  }
+}
+
+// Duplicates vertices until the mesh is a manifold (CGAL's orient_polygon_soup, which turns faces,
+// too). Each duplicate moves by a thousandth of its shortest edge towards its faces, so that they
+// are not merged again. Returns how many there are.
+int part_manifolds(TriangleMesh& mesh) {
+  std::vector<Kernel::Point_3> points;
+  for (const auto p : mesh.V.rowwise()) points.emplace_back(p.x(), p.y(), p.z());
+  std::vector<std::array<std::size_t, 3>> polygons;
+  for (const auto f : mesh.F.rowwise()) {
+    polygons.push_back({static_cast<std::size_t>(f[0]), static_cast<std::size_t>(f[1]),
+                        static_cast<std::size_t>(f[2])});
+  }
+  pmp::orient_polygon_soup(points, polygons);
+  const int before = static_cast<int>(mesh.V.rows()), after = static_cast<int>(points.size());
+  TriangleMesh out{Points3(after, 3), Triangles(mesh.F.rows(), 3)};
+  for (int v = 0; v < after; ++v) out.V.row(v) << points[v].x(), points[v].y(), points[v].z();
+  std::vector<double> shortest(after, std::numeric_limits<double>::infinity());
+  Points3 inwards = Points3::Zero(after, 3);
+  for (int f = 0; f < out.F.rows(); ++f) {
+    for (int t = 0; t < 3; ++t) out.F(f, t) = static_cast<int>(polygons[f][t]);
+    for (int t = 0; t < 3; ++t) {
+      const int a = out.F(f, t);
+      for (int b : {out.F(f, next3(t)), out.F(f, prev3(t))}) {
+        const Vec3 d = out.V.row(b) - out.V.row(a);
+        shortest[a] = std::min(shortest[a], d.norm());
+        inwards.row(a) += d;
+      }
+    }
+  }
+  for (int v = before; v < after; ++v) {
+    const double size = inwards.row(v).norm();
+    if (size > 0) out.V.row(v) += 1e-3 * shortest[v] / size * inwards.row(v);
+  }
+  mesh = std::move(out);
+  return after - before;
+}
+
+// Boundary loops shorter than `longest` (mm), but for the longest one of each component.
+std::vector<std::vector<int>> small_holes(const TriangleMesh& mesh, double longest) {
+  const MeshTopology topology = topology_of(mesh);
+  const std::vector<int> component = face_components(topology, {});
+  std::map<int, int> component_at;  // a vertex of the boundary
+  for (const MeshEdge& edge : topology.edges) {
+    if (edge.boundary()) component_at[edge.v[0]] = component[edge.face[0]];
+  }
+  std::vector<std::vector<int>> loops = boundary_loops(topology);
+  std::vector<double> length;
+  std::map<int, std::size_t> outer;  // of a component: its longest loop
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    length.push_back(loop_length(mesh.V, loops[k]));
+    const auto [it, fresh] = outer.emplace(component_at[loops[k][0]], k);
+    if (!fresh && length[k] > length[it->second]) it->second = k;
+  }
+  std::vector<std::vector<int>> out;
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    if (length[k] < longest && outer[component_at[loops[k][0]]] != k) {
+      out.push_back(std::move(loops[k]));
+    }
+  }
+  return out;
+}
+
+// Fills these boundary loops with triangles of about the size of those around and fairs them
+// (P. Liepa, "Filling holes in meshes", SGP 2003; CGAL's implementation). Returns how many could be
+// filled; given vertices and faces keep their places and numbers.
+int fill_holes(TriangleMesh& given, const std::vector<std::vector<int>>& holes) {
+  if (holes.empty()) return 0;
+  Mesh mesh;
+  if (cgal::append(mesh, given) >= 0) return 0;
+  int filled = 0;
+  for (auto hole = holes.begin(); hole != holes.end(); ++hole) {
+    checkpoint();
+    // The hole's side of an edge runs against that of its face.
+    const auto side = mesh.halfedge(Mesh::Vertex_index((*hole)[1]), Mesh::Vertex_index((*hole)[0]));
+    if (side == Mesh::null_halfedge() || !mesh.is_border(side)) continue;
+    std::vector<Mesh::Face_index> faces;
+    std::vector<Mesh::Vertex_index> vertices;
+    try {
+      pmp::triangulate_refine_and_fair_hole(mesh, side, std::back_inserter(faces),
+                                            std::back_inserter(vertices));
+    } catch (const std::bad_alloc&) {
+      throw;
+    } catch (const std::exception&) {  // CGAL found no triangulation: this hole stays
+      return fill_holes(given, {holes.begin(), hole});
+    }
+    filled += faces.empty() ? 0 : 1;
+  }
+  given = cgal::taken_from(mesh);
+  return filled;
 }
 
 // Components that are too small for anything; returns how many.

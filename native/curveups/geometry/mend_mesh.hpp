@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// From what scanners and exchanged files bring to a surface that can be remeshed: what clean_mesh
-// leaves to check_mesh to refuse, as far as there is one sensible answer.
+// Mends scanned and exchanged meshes where there is one sensible answer, so that they can be
+// remeshed.
 #pragma once
 
 #include <string>
@@ -12,29 +12,26 @@ namespace curveups {
 
 struct MendOptions {
   double L = 7;           // mean edge length of the tiles, mm
-  double hole_edge = 28;  // holes with a shorter edge are filled, mm
+  double hole_edge = 28;  // holes with a shorter boundary are filled, mm
 };
 
 struct MendedMesh {
   TriangleMesh mesh;
-  std::vector<std::string> actions;  // one per kind, with its count; empty: the mesh is as given
-  // No face runs through another: that was looked for, and nothing was added since.
+  std::vector<std::string> actions;  // with counts, one of a kind; empty: the mesh is as given
+  // True: no face runs through another, which was checked after the last change.
   bool without_crossings = false;
 };
 
-// In this order:
-// - what clean_mesh does;
-// - where more than two faces meet in an edge, faces are turned against one another, or parts touch
-//   in single vertices, the surface is taken apart (CGAL's orient_polygon_soup); corners that come
-//   apart move by a thousandth of an edge, so that they stay apart;
-// - components smaller than two tiles and 2 % of the largest are removed;
-// - faces that run through others are cut out with the faces around them and filled, where that
-//   takes no more than some tiles' area and leaves nothing that intersects; else they stay;
-// - holes are filled and faired (CGAL's triangulate_refine_and_fair_hole), but for the longest
-//   boundary of each component.
-// What can't be mended stays: check_mesh tells. Deterministic; mended again, the mesh stays as it
-// is. Throws InvalidInput for an index out of range and L or hole_edge that are no lengths,
-// Cancelled.
+// Steps:
+// - clean_mesh;
+// - take the surface apart where more than two faces meet in an edge, faces are turned against one
+//   another, or parts touch in single vertices;
+// - remove components smaller than two tiles and 2 % of the largest;
+// - cut out faces that run through others with the faces around them and fill the gaps, where that
+//   takes no more than some tiles' area and leaves no intersection; else they stay;
+// - fill holes, but for the longest boundary of each component.
+// check_mesh reports the rest. Deterministic; mended again, the mesh stays as it is. Throws
+// InvalidInput for an index out of range and for L or hole_edge that are no lengths, Cancelled.
 MendedMesh mend_mesh(const TriangleMesh& soup, const MendOptions& options);
 
 }  // namespace curveups

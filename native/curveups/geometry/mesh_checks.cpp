@@ -8,13 +8,12 @@
 #include "curveups/core/tolerances.hpp"
 #include "curveups/geometry/clean_mesh.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
-#include "curveups/geometry/edge_sides.hpp"
-#include "curveups/geometry/orientation.hpp"
+#include "curveups/geometry/face_soup.hpp"
 
 namespace curveups {
 namespace {
 
-// A single-precision file resolves a coordinate to 6e-8 of its size: beyond this more than 0.01 mm.
+// Coordinate that a single-precision file resolves to 0.01 mm.
 constexpr double coarse_coordinates = 2e5;
 constexpr double many_tiles = 20000, most_tiles = 200000;
 
@@ -25,7 +24,7 @@ class Findings {
   void add(const char* kind, Figures figures = {}, bool is_error = true) {
     list.push_back({kind, {}, std::move(figures), is_error});
   }
-  // Of a set of faces or vertices (`what`), none where it is empty.
+  // Adds rows of faces or vertices (`what`), unless there are none.
   void add_rows(const char* kind, const char* what, std::vector<int> rows) {
     if (rows.empty()) return;
     std::sort(rows.begin(), rows.end());

@@ -9,21 +9,21 @@
 
 namespace curveups {
 
-// Findings in this order; after the first group (arrays that mean nothing) and after the second (no
-// manifold) no further ones are looked for.
+// Findings in this order; the first group (arrays that mean nothing) and the second (no manifold)
+// end the checks.
 //   empty, index-out-of-range, not-finite;
 //   degenerate-faces, duplicate-faces, non-manifold-edges, inconsistent-orientation, one-sided,
 //   non-manifold-vertices, boundary-touches-itself;
 //   closed (unless cuts are given), self-intersections, huge-coordinates, too-small, too-large,
 //   and as information (no error) components.
-// Their figures: "count", and "faces" or "vertices", the rows concerned.
-// L: the edge length the tiles will have, mm. without_crossings: no face is known to run through
-// another, which is then not looked for again. Throws Cancelled.
+// Figures: "count", and "faces" or "vertices", the rows concerned.
+// L: edge length of the tiles, mm. without_crossings: skips the search for self-intersections.
+// Throws Cancelled.
 std::vector<Finding> check_mesh(const TriangleMesh& mesh, double L, bool cuts_given,
                                 bool without_crossings = false);
 
-// Pairs of faces that run through one another, each face once, ascending. The mesh must have passed
-// the first two groups of check_mesh. Throws Cancelled.
+// Faces that run through others, ascending. Precondition: the first two groups of check_mesh.
+// Throws Cancelled.
 std::vector<int> self_intersecting_faces(const TriangleMesh& mesh);
 
 }  // namespace curveups

@@ -9,7 +9,7 @@
 namespace curveups {
 namespace {
 
-// A row of the arguments as CGAL's BoxIntersectionBox_d wants it.
+// Row of the arguments as CGAL's BoxIntersectionBox_d.
 struct RowBox {
   using NT = double;
   using ID = int;

@@ -99,48 +99,22 @@ PlanarMesh mesh_polygon(const std::vector<Vec2>& boundary,
     throw InvalidInput("a polygon to be meshed is not simple and counter-clockwise",
                        "give corners in order, without crossings");
   }
-  const int n = static_cast<int>(boundary.size());
-  std::vector<std::array<int, 2>> edges;
-  for (int i = 0; i < n; ++i) edges.push_back({i, (i + 1) % n});
-  return mesh_region(boundary, edges, {}, size);
-}
-
-PlanarMesh mesh_region(const std::vector<Vec2>& points,
-                       const std::vector<std::array<int, 2>>& edges, const std::vector<Vec2>& holes,
-                       const std::function<double(const Vec2&)>& size) {
-  const auto refuse = [] {
-    throw InvalidInput("edges around a region to be meshed cross or touch",
-                       "give closed lines that meet at their ends alone");
-  };
+  const std::size_t count = boundary.size();
   Triangulation triangulation;
-  std::vector<Triangulation::Vertex_handle> corner(points.size());
-  std::vector<char> used(points.size(), 0);
-  for (const std::array<int, 2>& edge : edges) used[edge[0]] = used[edge[1]] = 1;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!used[i]) continue;
-    if (!points[i].allFinite()) refuse();
-    corner[i] = triangulation.insert(to_cgal(points[i]));
-    if (corner[i]->info().index >= 0) refuse();
+  std::vector<Triangulation::Vertex_handle> corner;
+  for (std::size_t i = 0; i < count; ++i) {
+    corner.push_back(triangulation.insert(to_cgal(boundary[i])));
     corner[i]->info().index = static_cast<int>(i);
   }
-  try {
-    for (const auto& [a, b] : edges) triangulation.insert_constraint(corner[a], corner[b]);
-  } catch (const Triangulation::Intersection_of_constraints_exception&) {
-    refuse();
-  }
-  // An edge through another corner is kept as two, which the region's owner does not know.
-  for (const auto& [a, b] : edges) {
-    if (!triangulation.is_edge(corner[a], corner[b])) refuse();
+  for (std::size_t i = 0; i < count; ++i) {
+    triangulation.insert_constraint(corner[i], corner[(i + 1) % count]);
   }
   CGAL::Delaunay_mesher_no_edge_refinement_2<Triangulation, GradedCriteria> mesher(
       triangulation, GradedCriteria(&size));
-  std::vector<Kernel::Point_2> seeds;
-  for (const Vec2& hole : holes) seeds.push_back(to_cgal(hole));
-  mesher.set_seeds(seeds.begin(), seeds.end());
   mesher.refine_mesh();
 
   PlanarMesh mesh;
-  mesh.points = points;
+  mesh.points = boundary;
   for (auto v = triangulation.finite_vertices_begin(); v != triangulation.finite_vertices_end();
        ++v) {
     if (v->info().index >= 0) continue;

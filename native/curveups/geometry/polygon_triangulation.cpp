@@ -12,13 +12,13 @@
 namespace curveups {
 namespace {
 
-struct FaceDepth {
-  int depth = -1;  // loops around the face, -1 while unknown
+struct FaceLabel {
+  int parity = -1;  // 1 inside an odd number of loops, -1 while unknown
 };
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
-using PlainFace = CGAL::Triangulation_face_base_with_info_2<FaceDepth, Kernel>;
+using PlainFace = CGAL::Triangulation_face_base_with_info_2<FaceLabel, Kernel>;
 using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel, PlainFace>;
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Triangulation =
@@ -30,32 +30,19 @@ using Triangulation =
                       "check the layout for bodies that overlap");
 }
 
-// Depth of nesting by a flood from outside: it changes by one across every constrained edge.
-void mark_depths(Triangulation& cdt) {
-  std::vector<Triangulation::Face_handle> front{cdt.infinite_face()}, beyond;
-  front[0]->info().depth = 0;
-  for (int depth = 0; !front.empty(); ++depth) {
-    while (!front.empty()) {
-      const Triangulation::Face_handle face = front.back();
-      front.pop_back();
-      if (face->info().depth > depth) continue;
-      for (int i = 0; i < 3; ++i) {
-        const Triangulation::Face_handle other = face->neighbor(i);
-        if (other->info().depth >= 0) continue;
-        if (face->is_constrained(i)) {
-          beyond.push_back(other);
-        } else {
-          other->info().depth = depth;
-          front.push_back(other);
-        }
-      }
+// Parity of the loops around each face, by a flood from outside: every constrained edge changes it.
+void mark_parities(Triangulation& cdt) {
+  std::vector<Triangulation::Face_handle> front{cdt.infinite_face()};
+  front[0]->info().parity = 0;
+  while (!front.empty()) {
+    const Triangulation::Face_handle face = front.back();
+    front.pop_back();
+    for (int i = 0; i < 3; ++i) {
+      const Triangulation::Face_handle other = face->neighbor(i);
+      if (other->info().parity >= 0) continue;
+      other->info().parity = face->info().parity ^ (face->is_constrained(i) ? 1 : 0);
+      front.push_back(other);
     }
-    for (const Triangulation::Face_handle& face : beyond) {
-      if (face->info().depth >= 0) continue;
-      face->info().depth = depth + 1;
-      front.push_back(face);
-    }
-    beyond.clear();
   }
 }
 
@@ -70,8 +57,7 @@ std::vector<std::array<int, 3>> triangulate_region(const std::vector<Vec2>& poin
   for (const std::vector<int>& loop : loops) {
     if (loop.size() < 3) refuse();
     for (int i : loop) {
-      if (vertex[i] != Triangulation::Vertex_handle()) refuse();
-      if (!points[i].allFinite()) refuse();
+      if (vertex[i] != Triangulation::Vertex_handle() || !points[i].allFinite()) refuse();
       vertex[i] = cdt.insert(Kernel::Point_2(points[i].x(), points[i].y()), hint);
       vertex[i]->info() = i;
       hint = vertex[i]->face();
@@ -88,16 +74,16 @@ std::vector<std::array<int, 3>> triangulate_region(const std::vector<Vec2>& poin
   } catch (const Triangulation::Intersection_of_constraints_exception&) {
     refuse();
   }
-  // An edge that passes through a corner of a loop is no edge of the triangulation.
+  // CGAL splits an edge that passes through a corner.
   for (const std::vector<int>& loop : loops) {
     for (std::size_t k = 0; k < loop.size(); ++k) {
       if (!cdt.is_edge(vertex[loop[k]], vertex[loop[(k + 1) % loop.size()]])) refuse();
     }
   }
-  mark_depths(cdt);
+  mark_parities(cdt);
   std::vector<std::array<int, 3>> triangles;
   for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face) {
-    if (face->info().depth % 2 == 0) continue;
+    if (face->info().parity == 0) continue;
     triangles.push_back(
         {face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
   }

@@ -9,15 +9,16 @@
 
 namespace curveups {
 
-// The region that an odd number of the loops encloses. Loops are closed polygons of indices into
-// `points`, at least three each, that neither cross nor touch; their direction does not matter.
+// Triangulates the region that an odd number of the loops encloses. Loops are closed polygons of
+// indices into `points`, at least three each, that neither cross nor touch, in either direction.
 // Returns counter-clockwise triangles over the same points; every edge of a loop is an edge of
-// exactly one of them. Throws TopologyError for loops that cross or touch, or points that coincide.
+// exactly one triangle. Throws TopologyError for loops that cross or touch, or points that
+// coincide.
 std::vector<std::array<int, 3>> triangulate_region(const std::vector<Vec2>& points,
                                                    const std::vector<std::vector<int>>& loops);
 
-// A polygon in space, in the plane that its Newell normal is perpendicular to; its triangles run
-// round as it does. Empty where it crosses or touches itself there, or has no area.
+// Triangulates a polygon in space (N x 3 corners) in the plane perpendicular to its Newell normal;
+// triangles have the polygon's direction. Empty where it crosses or touches itself, or has no area.
 std::vector<std::array<int, 3>> triangulate_polygon(const Points3& corners);
 
 }  // namespace curveups

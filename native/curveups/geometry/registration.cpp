@@ -236,7 +236,7 @@ class ScanRegistration {
 
   static std::vector<double> distances(const std::vector<ClosestPoint>& nearest) {
     std::vector<double> out;
-    for (const ClosestPoint& one : nearest) out.push_back(one.distance);
+    for (const ClosestPoint& point : nearest) out.push_back(point.distance);
     return out;
   }
 

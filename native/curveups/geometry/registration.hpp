@@ -16,14 +16,14 @@ struct Registration {
   // Standard deviations of the pose about and along the surface's axes, for independent noise:
   // radians, and mm of the scan's middle. NaN where the points leave a direction free.
   Vec3 rotation_deviation, translation_deviation;
-  int other_turns = 0;  // further poses, at least, that fit as well
+  int other_turns = 0;  // at least so many other poses fit as well
 };
 
-// points: n x 3, 12 or more, mm. tile: mm by which poses of a repeating shape may differ and count
-// as one. Outliers are allowed, and a part of the surface may be missing in the scan.
+// points: n x 3, 12 or more, mm. tile: size of tiles, mm; poses that differ by less count as one.
+// Outliers are allowed, and the scan may cover a part of the surface.
 Registration register_scan(const Points3& points, const TriangleMesh& surface, double tile);
 
-// points: n x 3, each at its row of targets but for noise; outliers are allowed.
+// points: n x 3, mm, each at its row of targets but for noise; outliers are allowed.
 Registration register_markers(const Points3& points, const Points3& targets);
 
 }  // namespace curveups

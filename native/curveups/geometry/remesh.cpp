@@ -12,7 +12,6 @@
 #include "curveups/geometry/clean_mesh.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
 #include "curveups/geometry/even_edges.hpp"
-#include "curveups/geometry/feature_lines.hpp"
 #include "curveups/geometry/line_spacing.hpp"
 #include "curveups/geometry/surface_deviation.hpp"
 
@@ -20,11 +19,11 @@ namespace curveups {
 namespace {
 
 constexpr double corner_angle = 40 * 3.14159265358979323846 / 180;
-constexpr int most_rounds = 6;  // of finding the length that gives the wanted mean
+constexpr int most_rounds = 6;  // of the search for the length that gives the wanted mean
 constexpr double mean_tolerance = 0.01;
 constexpr double most_faces = 200000;
-// CGAL's collapsing of short edges does not come to an end on spikes of some 500 L; a square with
-// edges of 300 L has more tiles than most_faces.
+// CGAL's collapsing of short edges does not end on spikes of some 500 L; a square with edges of 300
+// L has more tiles than most_faces.
 constexpr double longest_edge_of_L = 300;
 
 struct EdgeStatistics {
@@ -48,7 +47,6 @@ std::size_t boundary_loop_count(const TriangleMesh& mesh) {
   return boundary_loops(build_topology(mesh.F, static_cast<int>(mesh.V.rows()))).size();
 }
 
-// Given features and creases together.
 Edges all_features(const TriangleMesh& surface, const std::vector<std::array<int, 2>>& given,
                    const RemeshOptions& options) {
   Edges creases(0, 2);
@@ -61,7 +59,7 @@ Edges all_features(const TriangleMesh& surface, const std::vector<std::array<int
   return out;
 }
 
-// closest: on this component.
+// closest: tree over this component.
 IsotropicMesh remesh_component(const TriangleMesh& surface, const ClosestPoints& closest,
                                const Edges& features, const RemeshOptions& options) {
   const std::size_t loops = boundary_loop_count(surface);
@@ -84,7 +82,7 @@ IsotropicMesh remesh_component(const TriangleMesh& surface, const ClosestPoints&
     const SurfacePoints points = even_edges(mesh, options.L, 60, closest);
     const EdgeStatistics edges = edge_statistics(mesh.mesh);
     const auto unsound = static_cast<double>(unsound_faces(points, mesh.mesh.F).size());
-    const double error =  // faces that no tile can be weigh more than any unevenness
+    const double error =  // slivers weigh more than any unevenness
         100 * unsound + std::abs(edges.mean / options.L - 1) + 2 * edges.deviation / edges.mean;
     if (best_error < 0 || error < best_error) {
       best = mesh;
@@ -104,17 +102,6 @@ IsotropicMesh remesh_component(const TriangleMesh& surface, const ClosestPoints&
 RemeshResult remesh(const TriangleMesh& surface, const RemeshOptions& options) {
   if (!(options.L > 0) || !std::isfinite(options.L)) {
     throw InvalidInput("L must be a positive length", "give L in mm");
-  }
-  if (!(options.crease_angle > 0)) {
-    throw InvalidInput("crease_angle must be positive", "give degrees up to 180");
-  }
-  if (!(options.corner_reach >= 0) || !std::isfinite(options.corner_reach)) {
-    throw InvalidInput("corner_reach must be a length", "give it in mm, or 0");
-  }
-  if (options.features.size() > 0 &&
-      (options.features.minCoeff() < 0 || options.features.maxCoeff() >= surface.V.rows())) {
-    throw InvalidInput("a feature names a vertex that the surface does not have",
-                       "give pairs of its vertices");
   }
   const ClosestPoints closest(surface);  // refuses empty and non-finite surfaces
   for (int f = 0; f < surface.F.rows(); ++f) {
@@ -143,14 +130,12 @@ RemeshResult remesh(const TriangleMesh& surface, const RemeshOptions& options) {
   checkpoint("remeshing", 0);
   const MeshTopology topology = build_topology(surface.F, static_cast<int>(surface.V.rows()));
   checkpoint();
-  const std::vector<int> component = face_components(topology, {});
-  checkpoint();
-  std::vector<MeshPiece> parts = parts_of(surface, component);
+  const std::vector<MeshPiece> parts = parts_of(surface, face_components(topology, {}));
   RemeshResult result;
   result.mesh.V.resize(0, 3);
   result.mesh.F.resize(0, 3);
   std::vector<std::array<int, 2>> features;
-  for (MeshPiece& piece : parts) {
+  for (const MeshPiece& piece : parts) {
     const TriangleMesh& part = piece.mesh;
     std::vector<int> number(surface.V.rows(), -1);
     for (std::size_t v = 0; v < piece.original.size(); ++v) {
@@ -167,15 +152,15 @@ RemeshResult remesh(const TriangleMesh& surface, const RemeshOptions& options) {
     std::optional<ClosestPoints> own;
     if (parts.size() > 1) own.emplace(part);
     checkpoint();
-    const IsotropicMesh made_part = remesh_component(part, own ? *own : closest, lines, options);
-    const TriangleMesh& made = made_part.mesh;
+    const IsotropicMesh component = remesh_component(part, own ? *own : closest, lines, options);
+    const TriangleMesh& tiles = component.mesh;
     const int first_vertex = static_cast<int>(result.mesh.V.rows());
     const int first_face = static_cast<int>(result.mesh.F.rows());
-    result.mesh.V.conservativeResize(first_vertex + made.V.rows(), 3);
-    result.mesh.V.bottomRows(made.V.rows()) = made.V;
-    result.mesh.F.conservativeResize(first_face + made.F.rows(), 3);
-    result.mesh.F.bottomRows(made.F.rows()) = made.F.array() + first_vertex;
-    for (const auto& [a, b] : made_part.features) {
+    result.mesh.V.conservativeResize(first_vertex + tiles.V.rows(), 3);
+    result.mesh.V.bottomRows(tiles.V.rows()) = tiles.V;
+    result.mesh.F.conservativeResize(first_face + tiles.F.rows(), 3);
+    result.mesh.F.bottomRows(tiles.F.rows()) = tiles.F.array() + first_vertex;
+    for (const auto& [a, b] : component.features) {
       features.push_back({a + first_vertex, b + first_vertex});
     }
   }

@@ -34,7 +34,7 @@ void visit_parts(const Corners& triangle, double step, const Visit& visit) {
   visit_parts({middle, b, c}, step, visit);
 }
 
-// Mean length of the faces' sides, those of inner edges twice.
+// Mean length of the faces' sides; inner edges count twice.
 double mean_side(const TriangleMesh& mesh) {
   double sum = 0;
   for (int f = 0; f < mesh.F.rows(); ++f) {
@@ -57,28 +57,26 @@ struct Sums {
 Sums sample(const TriangleMesh& mesh, const ClosestPoints& surface, double step) {
   const int faces = static_cast<int>(mesh.F.rows());
   std::vector<Sums> of_face(faces);
-  std::vector<int> first(mesh.V.rows(), -1);  // the first face of a vertex, which asks for it
+  std::vector<int> first(mesh.V.rows(), -1);  // face that samples a vertex
   for (int f = faces - 1; f >= 0; --f) {
     for (int t = 0; t < 3; ++t) first[mesh.F(f, t)] = f;
   }
-  parallel_ranges(faces, [&](int begin, int end) {
-    for (int f = begin; f < end; ++f) {
-      checkpoint();
-      Sums& sums = of_face[f];
-      Corners corners;
-      for (int t = 0; t < 3; ++t) {
-        corners[t] = mesh.V.row(mesh.F(f, t));
-        if (first[mesh.F(f, t)] != f) continue;
-        sums.largest = std::max(sums.largest, surface(corners[t]).distance);
-      }
-      visit_parts(corners, step, [&](const Vec3& at, double area) {
-        const double distance = surface(at).distance;
-        sums.area += area;
-        sums.distance += area * distance;
-        sums.square += area * distance * distance;
-        sums.largest = std::max(sums.largest, distance);
-      });
+  parallel_for(faces, [&](int f) {
+    checkpoint();
+    Sums& sums = of_face[f];
+    Corners corners;
+    for (int t = 0; t < 3; ++t) {
+      corners[t] = mesh.V.row(mesh.F(f, t));
+      if (first[mesh.F(f, t)] != f) continue;
+      sums.largest = std::max(sums.largest, surface(corners[t]).distance);
     }
+    visit_parts(corners, step, [&](const Vec3& at, double area) {
+      const double distance = surface(at).distance;
+      sums.area += area;
+      sums.distance += area * distance;
+      sums.square += area * distance * distance;
+      sums.largest = std::max(sums.largest, distance);
+    });
   });
   Sums all;
   for (const Sums& sums : of_face) {
@@ -100,16 +98,16 @@ double largest_distance(const TriangleMesh& mesh, const TriangleMesh& surface) {
 Deviation surface_deviation(const TriangleMesh& mesh, const TriangleMesh& target) {
   const ClosestPoints to(target), from(mesh);
   const double step = step_between(mesh, target);
-  // A target of a few large faces, as of CAD parts, says nothing of the mesh's own.
-  const Sums there = sample(mesh, to, std::min(step, 0.25 * mean_side(mesh)));
+  // CAD parts have few large faces: the mesh's own size limits the step.
+  const Sums forth = sample(mesh, to, std::min(step, 0.25 * mean_side(mesh)));
   const Sums back = sample(target, from, step);
   Deviation out;
-  if (there.area > 0) {
-    out.mean = there.distance / there.area;
-    out.rms = std::sqrt(there.square / there.area);
+  if (forth.area > 0) {
+    out.mean = forth.distance / forth.area;
+    out.rms = std::sqrt(forth.square / forth.area);
   }
-  out.max = there.largest;
-  out.hausdorff = std::max(there.largest, back.largest);
+  out.max = forth.largest;
+  out.hausdorff = std::max(forth.largest, back.largest);
   return out;
 }
 

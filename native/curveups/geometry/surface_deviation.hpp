@@ -7,19 +7,17 @@
 
 namespace curveups {
 
-// The step over the mean edge of the coarser of two meshes. A largest distance may fall short by
-// the distance from a point to the nearest sample: two thirds of the step at most, and much less
-// where surfaces are smooth.
+// Step over the mean edge of the coarser of two meshes. A largest distance falls short by at most
+// the distance from a point to the nearest sample, two thirds of the step.
 inline constexpr double sample_step = 1.0 / 8;
 
-// Largest distance of samples of the mesh's faces from the surface, mm; vertices without a face
-// don't count. The same with any number of threads. Throws what ClosestPoints throws, Cancelled.
+// Largest distance of samples of the mesh's faces from the surface, mm. Throws what ClosestPoints
+// throws, Cancelled.
 double largest_distance(const TriangleMesh& mesh, const TriangleMesh& surface);
 
 struct Deviation {
-  double mean = 0, rms = 0;  // of the mesh from the target, by area, mm
-  double max = 0;            // the same, the largest
-  double hausdorff = 0;      // the larger of both directions' largest
+  double mean = 0, rms = 0, max = 0;  // distance of the mesh from the target, by area, mm
+  double hausdorff = 0;               // largest distance in both directions
 };
 // Throws what ClosestPoints throws of either, Cancelled.
 Deviation surface_deviation(const TriangleMesh& mesh, const TriangleMesh& target);

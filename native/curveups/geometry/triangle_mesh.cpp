@@ -13,6 +13,7 @@
 #include "curveups/core/errors.hpp"
 
 namespace curveups {
+
 UsedPart used_part(const Points3& V, Triangles F) {
   UsedPart out;
   out.number.assign(V.rows(), -1);
@@ -86,8 +87,6 @@ MeshTopology build_topology(const Triangles& F, int vertex_count) {
 }
 
 std::vector<std::vector<int>> boundary_loops(const MeshTopology& topology) {
-  // The boundary runs against its faces' direction or along it alike; the surface is on the left of
-  // v[0] -> v[1].
   std::unordered_map<int, std::array<int, 2>> next;  // vertex -> next vertex, face
   std::vector<int> starts;
   for (const MeshEdge& edge : topology.edges) {

@@ -16,20 +16,20 @@ struct TriangleMesh {
   Triangles F;
 };
 
-// A mesh without the vertices that no face uses.
+// Mesh without the vertices that no face uses.
 struct UsedPart {
-  TriangleMesh mesh;        // its vertices are some of those given, in their order
-  std::vector<int> number;  // of each given vertex in it, -1 where it is gone
+  TriangleMesh mesh;        // vertices keep their order
+  std::vector<int> number;  // per given vertex its new number, -1: removed
 };
 UsedPart used_part(const Points3& V, Triangles F);
 
-// The same for both directions of an edge.
+// Key of an edge in either direction.
 inline std::uint64_t edge_key(int a, int b) {
   return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(std::min(a, b))) << 32) |
          static_cast<std::uint32_t>(std::max(a, b));
 }
 
-// Pairs of vertices, in any container, as rows.
+// Copies pairs of vertices in any container into rows.
 template <class Pairs>
 Edges rows_of(const Pairs& pairs) {
   Edges out(static_cast<Eigen::Index>(pairs.size()), 2);
@@ -53,27 +53,25 @@ struct MeshTopology {
 };
 
 // Throws TopologyError, naming the faces, for an index out of range, a face that uses a vertex
-// twice, an edge of more than two faces, and an edge that two faces run along in the same
-// direction.
+// twice, an edge of more than two faces, and an edge with two faces in the same direction.
 MeshTopology build_topology(const Triangles& F, int vertex_count);
 
-// Boundary loops: vertices in the order of the boundary with the surface on its left.
-// Throws TopologyError where the boundary touches itself in a vertex.
+// Boundary loops: vertices with the surface on their left. Throws TopologyError where the boundary
+// touches itself in a vertex.
 std::vector<std::vector<int>> boundary_loops(const MeshTopology& topology);
 
 // Handles (genus) of a connected surface with that many boundary loops.
 int handle_count(const MeshTopology& topology, int loop_count);
 
-// For each face the number of its component, from 0 in the order of the lowest face; two faces are
-// in one component where a chain of edges for which `joined` is true leads from one to the other.
-// An empty `joined` stands for all interior edges.
+// Component of each face, from 0 in the order of the lowest face. Edges with `joined` connect
+// faces; an empty `joined` stands for all interior edges.
 std::vector<int> face_components(const MeshTopology& topology, const std::vector<char>& joined);
 
 // Lengths of the edges, mm.
 std::vector<double> edge_lengths(const TriangleMesh& mesh, const MeshTopology& topology);
-// Of a closed line of edges, mm.
+// Length of a closed line of edges, mm.
 double loop_length(const Points3& V, const std::vector<int>& loop);
-// mm, each edge once; 0 without faces. Throws what build_topology throws.
+// Mean length of edges, mm; 0 without faces. Throws what build_topology throws.
 double mean_edge_length(const TriangleMesh& mesh);
 Vec3 face_area_vector(const TriangleMesh& mesh, int face);  // normal times area
 double surface_area(const TriangleMesh& mesh);              // mm2

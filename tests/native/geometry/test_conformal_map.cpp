@@ -159,16 +159,7 @@ TEST(ConformalMap, RefusesWhatHasNoFlatLayout) {
   two.F << 0, 1, 2, 3, 4, 5;
   EXPECT_THROW(conformal_map(two), TopologyError);
 
-  // A torus with one face missing.
-  TriangleMesh torus = test::grid(12, 8, [](double u, double v) {
-    const double a = 2 * M_PI * u, b = 2 * M_PI * v;
-    return Vec3((20 + 6 * std::cos(b)) * std::cos(a), (20 + 6 * std::cos(b)) * std::sin(a),
-                6 * std::sin(b));
-  });
-  for (int i = 0; i < torus.F.size(); ++i) {
-    int& v = torus.F.data()[i];
-    v = (v / 13 % 8) * 13 + v % 13 % 12;
-  }
+  TriangleMesh torus = test::torus(12, 8);
   torus.F.conservativeResize(torus.F.rows() - 1, 3);
   try {
     conformal_map(torus);

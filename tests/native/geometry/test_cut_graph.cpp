@@ -50,18 +50,9 @@ Opened opened(const TriangleMesh& mesh, const Edges& given = Edges(0, 2)) {
   return out;
 }
 
-// A closed torus, or one with a hole where faces are left out.
+// A torus without some faces.
 TriangleMesh torus(int around, int along, int holes = 0) {
-  const double R = 30, r = 12;
-  TriangleMesh mesh = test::grid(around, along, [=](double u, double v) {
-    const double a = 2 * M_PI * u, b = 2 * M_PI * v;
-    return Vec3((R + r * std::cos(b)) * std::cos(a), (R + r * std::cos(b)) * std::sin(a),
-                r * std::sin(b));
-  });
-  for (int i = 0; i < mesh.F.size(); ++i) {
-    const int v = mesh.F.data()[i], column = v % (around + 1), row = v / (around + 1);
-    mesh.F.data()[i] = row % along * (around + 1) + column % around;
-  }
+  TriangleMesh mesh = test::torus(around, along);
   for (int h = 0; h < holes; ++h) {
     const Eigen::Index rest = mesh.F.rows() - 1, gone = h * (mesh.F.rows() / 3);
     mesh.F.row(gone) = mesh.F.row(rest);

@@ -65,36 +65,6 @@ double largest_share(const std::vector<double>& area) {
   return *std::max_element(area.begin(), area.end()) / sum * static_cast<double>(area.size());
 }
 
-TriangleMesh torus(double R = 30, double r = 12) {
-  const int around = 40, along = 16;
-  TriangleMesh mesh = test::grid(around, along, [=](double u, double v) {
-    const double a = 2 * M_PI * u, b = 2 * M_PI * v;
-    return Vec3((R + r * std::cos(b)) * std::cos(a), (R + r * std::cos(b)) * std::sin(a),
-                r * std::sin(b));
-  });
-  // The grid's opposite rims lie on one another.
-  TriangleMesh closed;
-  std::vector<int> number(mesh.V.rows());
-  std::vector<Vec3> points;
-  for (int j = 0; j <= along; ++j) {
-    for (int i = 0; i <= around; ++i) {
-      const int own = j * (around + 1) + i;
-      if (i < around && j < along) {
-        number[own] = static_cast<int>(points.size());
-        points.push_back(mesh.V.row(own));
-      } else {
-        number[own] = number[(j % along) * (around + 1) + i % around];
-      }
-    }
-  }
-  closed.V.resize(static_cast<Eigen::Index>(points.size()), 3);
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    closed.V.row(static_cast<Eigen::Index>(v)) = points[v];
-  }
-  closed.F = mesh.F.unaryExpr([&](int v) { return number[v]; });
-  return closed;
-}
-
 TEST(DivideSurface, HalvesASphereAlongAShortLoop) {
   const Divided two = divide(test::sphere(10, 40), 2);
   ASSERT_EQ(two.pieces.size(), 2u);
@@ -124,7 +94,7 @@ TEST(DivideSurface, PiecesHaveAboutTheSameAreaAndNoTeeth) {
 
 TEST(DivideSurface, ATorusIsOpenedWhateverTheNumber) {
   for (int count : {1, 2, 3, 4, 6, 9}) {
-    const Divided made = divide(torus(), count);
+    const Divided made = divide(test::torus(40, 16), count);
     EXPECT_EQ(static_cast<int>(made.pieces.size()), count);
     for (const MeshPiece& piece : made.pieces) {
       const MeshTopology own = build_topology(piece.mesh.F, static_cast<int>(piece.mesh.V.rows()));
@@ -168,7 +138,7 @@ TEST(DivideSurface, WhatThereIsAlreadyCounts) {
 }
 
 TEST(DivideSurface, IsTheSameEveryTime) {
-  const TriangleMesh mesh = torus();
+  const TriangleMesh mesh = test::torus(40, 16);
   const Divided a = divide(mesh, 5), b = divide(mesh, 5);
   EXPECT_EQ(a.division.piece, b.division.piece);
   EXPECT_EQ(a.division.borders, b.division.borders);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "curveups/core/errors.hpp"
 #include "curveups/geometry/edge_paths.hpp"
 #include "support/meshes.hpp"
@@ -29,8 +27,6 @@ TEST(EdgePaths, RefuseWhatCannotBeJoined) {
   points << 0, 0, 0, 6, 0, 0;
   EXPECT_THROW(shortest_edge_path(mesh, points), TopologyError);
   EXPECT_THROW(shortest_edge_path(mesh, Points3(0, 3)), InvalidInput);
-  points(0, 0) = std::nan("");
-  EXPECT_THROW(shortest_edge_path(mesh, points), InvalidInput);
 }
 
 }  // namespace

@@ -5,8 +5,6 @@
 
 #include "curveups/core/errors.hpp"
 #include "curveups/geometry/clean_mesh.hpp"
-#include "curveups/geometry/fill_holes.hpp"
-#include "curveups/geometry/manifold_parts.hpp"
 #include "curveups/geometry/mend_mesh.hpp"
 #include "curveups/geometry/mesh_checks.hpp"
 #include "curveups/geometry/surface_deviation.hpp"

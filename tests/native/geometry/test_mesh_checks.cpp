@@ -5,12 +5,11 @@
 #include <array>
 #include <limits>
 #include <random>
-#include <set>
 
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
-#include "curveups/core/parallel.hpp"
 #include "curveups/geometry/clean_mesh.hpp"
+#include "curveups/geometry/face_soup.hpp"
 #include "curveups/geometry/mesh_checks.hpp"
 #include "support/meshes.hpp"
 
@@ -105,50 +104,6 @@ TEST(MeshChecks, SelfIntersectionNamesTheFaces) {
   EXPECT_EQ(rows(findings[0], "faces"), (std::vector<int>{0, 1}));
   EXPECT_EQ(findings[1].kind, "components");
   EXPECT_FALSE(findings[1].is_error);
-}
-
-// On a pile of triangles: what is found of all at once is what is found of each two alone.
-TEST(MeshChecks, SelfIntersectionsAreThoseOfAnyTwo) {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> unit(0, 1);
-  const auto pile = [&](const std::vector<int>& of, const Points3& V) {
-    TriangleMesh out{Points3(3 * static_cast<Eigen::Index>(of.size()), 3),
-                     Triangles(static_cast<Eigen::Index>(of.size()), 3)};
-    for (Eigen::Index k = 0; k < out.F.rows(); ++k) {
-      out.V.middleRows(3 * k, 3) = V.middleRows(3 * of[k], 3);
-      out.F.row(k) << static_cast<int>(3 * k), static_cast<int>(3 * k + 1),
-          static_cast<int>(3 * k + 2);
-    }
-    return out;
-  };
-  constexpr int count = 200;
-  Points3 V(3 * count, 3);
-  std::vector<int> all;
-  for (int k = 0; k < count; ++k) {
-    const Vec3 place(60 * unit(random), 20 * unit(random), 20 * unit(random));
-    for (int t = 0; t < 3; ++t) {
-      V.row(3 * k + t) << place.x() + 6 * unit(random), place.y() + 6 * unit(random),
-          place.z() + 6 * unit(random);
-    }
-    all.push_back(k);
-  }
-  std::set<int> expected;
-  for (int a = 0; a < count; ++a) {
-    for (int b = a + 1; b < count; ++b) {
-      if (self_intersecting_faces(pile({a, b}, V)).empty()) continue;
-      expected.insert(a);
-      expected.insert(b);
-    }
-  }
-  ASSERT_GT(expected.size(), 10u);
-  ASSERT_LT(expected.size(), 180u);
-  const std::vector<int> wanted(expected.begin(), expected.end());
-  const int threads = thread_count();
-  for (int n : {1, 2, 3}) {
-    set_thread_count(n);
-    EXPECT_EQ(self_intersecting_faces(pile(all, V)), wanted) << n << " threads";
-  }
-  set_thread_count(threads);
 }
 
 TEST(MeshChecks, CrossingsAreNotLookedForWhereThereAreKnownToBeNone) {

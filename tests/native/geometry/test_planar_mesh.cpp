@@ -56,41 +56,6 @@ TEST(PlanarMesh, FillsThePolygonAndKeepsItsBoundary) {
   }
 }
 
-TEST(PlanarMesh, ARegionLeavesItsHolesOutAndKeepsItsEdges) {
-  std::vector<Vec2> points = subdivide({{0, 0}, {9, 0}, {9, 6}, {0, 6}}, 6);
-  std::vector<std::array<int, 2>> edges;
-  auto close = [&](int begin) {
-    const int end = static_cast<int>(points.size());
-    for (int k = begin; k < end; ++k) edges.push_back({k, k + 1 < end ? k + 1 : begin});
-  };
-  close(0);
-  for (const Vec2& at : {Vec2(1, 1), Vec2(5, 2)}) {
-    const int begin = static_cast<int>(points.size());
-    for (const Vec2& p : square) points.push_back(at + p);
-    close(begin);
-  }
-  points.push_back({2, 2});  // in a hole, on no edge
-  const PlanarMesh mesh =
-      mesh_region(points, edges, {{2, 2}, {6, 3}}, [](const Vec2&) { return 1.0; });
-  EXPECT_NEAR(area(mesh), 54 - 18, 1e-12);
-  std::map<std::pair<int, int>, int> sides;
-  for (const auto& t : mesh.triangles) {
-    for (int e = 0; e < 3; ++e) {
-      EXPECT_NE(t[e], static_cast<int>(points.size()) - 1);
-      ++sides[std::minmax(t[e], t[(e + 1) % 3])];
-    }
-  }
-  for (const auto& [a, b] : edges) EXPECT_EQ(sides.at(std::minmax(a, b)), 1);
-  auto size = [](const Vec2&) { return 1.0; };
-  points.back() = {4, 0.5};
-  edges.push_back({0, static_cast<int>(points.size()) - 1});
-  EXPECT_NO_THROW(mesh_region(points, edges, {{2, 2}, {6, 3}}, size));
-  points.back() = {4, 4};  // across the first hole
-  EXPECT_THROW(mesh_region(points, edges, {{2, 2}, {6, 3}}, size), InvalidInput);
-  points.back() = {4.5, 0};  // along the rim
-  EXPECT_THROW(mesh_region(points, edges, {{2, 2}, {6, 3}}, size), InvalidInput);
-}
-
 TEST(PlanarMesh, KeepsSizeAndAngles) {
   auto size = [](const Vec2& p) { return 0.32 + 0.15 * p.norm(); };
   const PlanarMesh mesh = mesh_polygon(subdivide(square, 15), size);

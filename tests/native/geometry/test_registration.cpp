@@ -144,41 +144,5 @@ TEST(Registration, MarkersFindTheirPoseThoughSomeAreFarOff) {
   EXPECT_LT(found.loss_scale, 10 * noise);
 }
 
-TEST(Registration, DeviationsOfMarkersAreThoseOfRepeatedScans) {
-  constexpr int repeats = 300;
-  Vec3 rotation = Vec3::Zero(), translation = rotation, said_rotation = rotation,
-       said_translation = rotation;
-  const Points3 targets = scan_of(bent(), 80, 1e9, 0, 7).clean;
-  std::mt19937 random(8);
-  std::normal_distribution<double> normal(0, noise);
-  const RigidMotion pose = some_pose();
-  Vec3 middle;
-  for (int axis = 0; axis < 3; ++axis) {
-    std::vector<double> values;
-    for (Eigen::Index i = 0; i < targets.rows(); ++i) {
-      values.push_back(pose.to_own(targets.row(i))[axis]);
-    }
-    std::sort(values.begin(), values.end());
-    middle[axis] = values[40];
-  }
-  for (int k = 0; k < repeats; ++k) {
-    Points3 points(targets.rows(), 3);
-    for (Eigen::Index i = 0; i < points.rows(); ++i) {
-      const Vec3 error(normal(random), normal(random), normal(random));
-      points.row(i) = pose.to_own(targets.row(i).transpose() + error).transpose();
-    }
-    const Registration found = register_markers(points, targets);
-    const Eigen::AngleAxisd turn(Eigen::Matrix3d(found.pose.R * pose.R.transpose()));
-    rotation += (turn.angle() * turn.axis()).cwiseAbs2() / repeats;
-    translation += (found.pose(middle) - pose(middle)).cwiseAbs2() / repeats;
-    said_rotation += found.rotation_deviation.cwiseAbs2() / repeats;
-    said_translation += found.translation_deviation.cwiseAbs2() / repeats;
-  }
-  for (int k = 0; k < 3; ++k) {  // 300 repeats tell a deviation to 4 %
-    EXPECT_NEAR(std::sqrt(said_rotation[k] / rotation[k]), 1, 0.15);
-    EXPECT_NEAR(std::sqrt(said_translation[k] / translation[k]), 1, 0.15);
-  }
-}
-
 }  // namespace
 }  // namespace curveups

@@ -157,6 +157,18 @@ TriangleMesh tube(int around, int along, double radius, double height) {
   return mesh;
 }
 
+TriangleMesh torus(int around, int along) {
+  TriangleMesh mesh = grid(around, along, [](double u, double v) {
+    const double a = 2 * M_PI * u, b = 2 * M_PI * v, r = 30 + 12 * std::cos(b);
+    return Vec3(r * std::cos(a), r * std::sin(a), 12 * std::sin(b));
+  });
+  for (int i = 0; i < mesh.F.size(); ++i) {  // opposite rims lie on one another
+    int& v = mesh.F.data()[i];
+    v = v / (around + 1) % along * (around + 1) + v % (around + 1) % around;
+  }
+  return mesh;
+}
+
 TriangleMesh hexagon(int rings, const std::function<double(double, double)>& height) {
   TriangleMesh mesh;
   std::vector<Vec3> points;

@@ -45,6 +45,9 @@ TriangleMesh sphere(int n, double radius);
 // A tube along z with both ends open.
 TriangleMesh tube(int around, int along, double radius, double height);
 
+// A closed torus of radii 30 and 12; some vertices are unused.
+TriangleMesh torus(int around, int along);
+
 // A hexagonal patch of `rings` rings of equilateral triangles with edges of about 7 mm, raised by
 // `height(x, y)`.
 TriangleMesh hexagon(int rings, const std::function<double(double, double)>& height);
