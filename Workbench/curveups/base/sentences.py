@@ -31,7 +31,7 @@ PROGRESS = (
     "pressing", "process window", "building bodies", "building tiles",
     "placing anchors",
     "building the support", "dividing the support's underside", "dividing the support's lid",
-    "measuring bodies", "measuring clearances", "building solids", "checking solids", "measuring solids",
+    "measuring bodies", "measuring clearances", "building solids", "checking solids",
     "meshing bodies", "uniting bodies", "drawing pictures", "dividing the print among beds",
     "writing {0}")
 # What a check compares, in its order.

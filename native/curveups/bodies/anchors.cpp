@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "curveups/core/parallel.hpp"
 #include "curveups/design/print_constants.hpp"
@@ -93,6 +94,18 @@ std::vector<std::vector<Vec2>> place_anchors(const std::vector<PieceFootprint>& 
     }
   }
   return anchors;
+}
+
+int nearest_tile(const PieceFootprint& footprint, const Vec2& place) {
+  int nearest = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < footprint.tiles.size(); ++k) {
+    for (const Vec2& corner : footprint.tiles[k]) {
+      const double distance = (corner - place).norm();
+      if (distance < least) nearest = footprint.rows[k], least = distance;
+    }
+  }
+  return nearest;
 }
 
 PrintBody make_anchor(const Vec2& centre, double radius, double height) {

@@ -3,73 +3,43 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
+#include <cmath>
+#include <utility>
 
 namespace curveups {
 namespace {
 
-constexpr int rows = 2;
 constexpr double least_spread = 0.3;  // height of the triangle of three bumps, mm
 
-// The interval of the polygon at height v.
-std::optional<std::array<double, 2>> chord(const Polygon& polygon, double v) {
+// Ends of the polygon's chord at height y.
+std::array<Vec2, 2> chord(const Polygon& polygon, double y) {
   double low = 1e300, high = -1e300;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
-    if ((a.y() - v) * (b.y() - v) > 0) continue;
-    for (double u :
-         {a.y() == b.y() ? a.x() : a.x() + (v - a.y()) / (b.y() - a.y()) * (b.x() - a.x()),
-          a.y() == b.y() ? b.x() : a.x() + (v - a.y()) / (b.y() - a.y()) * (b.x() - a.x())}) {
-      low = std::min(low, u);
-      high = std::max(high, u);
-    }
+    if ((a.y() - y) * (b.y() - y) > 0 || a.y() == b.y()) continue;
+    const double x = a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+    low = std::min(low, x);
+    high = std::max(high, x);
   }
-  if (low > high) return std::nullopt;
-  return std::array<double, 2>{low, high};
+  return {Vec2(low, y), Vec2(high, y)};
 }
 
-bool far_apart(const std::vector<Vec2>& centres, double spacing) {
-  for (std::size_t i = 0; i < centres.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if ((centres[i] - centres[j]).norm() < spacing) return false;
-    }
-  }
-  return true;
-}
-
-// Two rows at the sides of the region, the longer one with one bump more where they differ.
-std::vector<Vec2> in_rows(const Polygon& region, int count) {
+// Two bumps at the ends of the longer chord, one in the middle of the other.
+std::vector<Vec2> in_rows(const Polygon& region) {
   double low = 1e300, high = -1e300;
   for (const Vec2& p : region) {
     low = std::min(low, p.y());
     high = std::max(high, p.y());
   }
   if (high - low < least_spread) return {};
-  std::vector<std::array<double, 2>> chords;  // -length, v
-  for (int row = 0; row < rows; ++row) {
-    const double v = low + (high - low) * (row == 0 ? 1e-6 : 1 - 1e-6);
-    const auto c = chord(region, v);
-    if (!c) return {};
-    chords.push_back({(*c)[0] - (*c)[1], v});
-  }
-  std::stable_sort(chords.begin(), chords.end(), [](const auto& a, const auto& b) {
-    return a[0] < b[0] - 1e-6;  // rows of like length keep their order
-  });
-  std::vector<Vec2> centres;
-  for (int row = 0; row < rows; ++row) {
-    const int bumps = count / rows + (row < count % rows ? 1 : 0);
-    const auto c = *chord(region, chords[row][1]);
-    for (int k = 0; k < bumps; ++k) {
-      const double s = bumps == 1 ? 0.5 : static_cast<double>(k) / (bumps - 1);
-      centres.emplace_back(c[0] + s * (c[1] - c[0]), chords[row][1]);
-    }
-  }
-  return centres;
-}
-
-bool spread_out(const std::vector<Vec2>& centres) {
-  return !centres.empty() && width(convex_hull(centres)) >= least_spread &&
-         convex_hull(centres).size() >= 3;
+  auto row = chord(region, low + (high - low) * 1e-6);
+  auto other = chord(region, low + (high - low) * (1 - 1e-6));
+  const auto length = [](const std::array<Vec2, 2>& ends) { return ends[1].x() - ends[0].x(); };
+  if (length(other) > length(row) + 1e-6) std::swap(row, other);
+  const auto at = [](const std::array<Vec2, 2>& ends, double share) -> Vec2 {
+    return ends[0] + share * (ends[1] - ends[0]);
+  };
+  return {at(row, 0), at(row, 1), at(other, 0.5)};
 }
 
 // The corners of the region that span the largest triangle.
@@ -79,9 +49,9 @@ std::vector<Vec2> largest_triangle(const Polygon& region) {
   for (std::size_t i = 0; i < region.size(); ++i) {
     for (std::size_t j = i + 1; j < region.size(); ++j) {
       for (std::size_t k = j + 1; k < region.size(); ++k) {
-        const double a = std::abs(wedge(region[j] - region[i], region[k] - region[i]));
-        if (a <= largest) continue;
-        largest = a;
+        const double area = std::abs(wedge(region[j] - region[i], region[k] - region[i]));
+        if (area <= largest) continue;
+        largest = area;
         best = {region[i], region[j], region[k]};
       }
     }
@@ -89,19 +59,25 @@ std::vector<Vec2> largest_triangle(const Polygon& region) {
   return best;
 }
 
+// Whether three centres keep the spacing and do not lie on a line.
+bool spread_out(const std::vector<Vec2>& c, double spacing) {
+  if (c.empty()) return false;
+  const double shortest =
+      std::min({(c[1] - c[0]).norm(), (c[2] - c[1]).norm(), (c[0] - c[2]).norm()});
+  const Polygon hull = convex_hull(c);
+  return shortest >= spacing && hull.size() == 3 && width(hull) >= least_spread;
+}
+
 }  // namespace
 
-std::vector<Vec2> bump_pattern(const Polygon& region, int count, double spacing) {
-  auto good = [&](const std::vector<Vec2>& centres) {
-    return spread_out(centres) && far_apart(centres, spacing);
-  };
-  std::vector<Vec2> found = in_rows(region, count);
-  if (!good(found)) found = largest_triangle(region);
-  if (!good(found)) return {};
-  std::sort(found.begin(), found.end(), [](const Vec2& a, const Vec2& b) {
-    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+std::vector<Vec2> bump_pattern(const Polygon& region, double spacing) {
+  std::vector<Vec2> centres = in_rows(region);
+  if (!spread_out(centres, spacing)) centres = largest_triangle(region);
+  if (!spread_out(centres, spacing)) return {};
+  std::sort(centres.begin(), centres.end(), [](const Vec2& a, const Vec2& b) {
+    return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
   });
-  return found;
+  return centres;
 }
 
 }  // namespace curveups

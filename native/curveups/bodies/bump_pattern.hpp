@@ -8,9 +8,10 @@
 
 namespace curveups {
 
-// `count` centres in the room (convex, counter-clockwise) in two rows of constant y, or, where
-// those would stand nearer than `spacing` or on a line, three at corners of the room. From left to
-// right; empty where not even three fit. Precondition: count >= 3.
-std::vector<Vec2> bump_pattern(const Polygon& region, int count, double spacing);
+// Centres of three bumps in the region (convex, counter-clockwise), from left to right: two in one
+// row of constant y and one in another, or, where those would stand nearer than `spacing` or on a
+// line, at corners of the region. Empty where three do not fit. A plane on three points does not
+// rock.
+std::vector<Vec2> bump_pattern(const Polygon& region, double spacing);
 
 }  // namespace curveups

@@ -15,13 +15,12 @@
 namespace curveups {
 namespace {
 
-constexpr int bump_count = 3;            // a plane on three points does not rock
 constexpr double edge_margin = 0.1;      // between a cap and the rim of its wall, mm
 constexpr double bump_spacing = 0.2;     // between two caps of an interface, mm
 constexpr double flat_clearance = 0.05;  // between a cap and the neighbour in the flat layout, mm
 constexpr double hollow_margin = 0.2;    // of material beside a hollow at least, mm
-constexpr int shrink_steps = 4;          // of the diameter, down to
-constexpr double least_diameter = 0.5;   // fraction that shrinking stops at: half a sphere
+constexpr int shrink_steps = 4;          // of the diameter
+constexpr double least_diameter = 0.5;   // smallest share of the diameter: half a sphere
 
 const BodyFace* find_face(const ConvexBody& body, int tag) {
   for (const BodyFace& face : body.faces) {
@@ -114,7 +113,7 @@ class Planner {
     }
   }
 
-  // Where the centres of bumps of this shape may be, in the interface's plane.
+  // Room for the centres of bumps of this shape, in the interface's plane.
   Polygon region(int k, const InterfacePlane& plane, const Shape& bump) const {
     const bool dimples = p_.bumps == "dimples";
     const Shape hollow = dimple_of(bump);
@@ -138,8 +137,8 @@ class Planner {
     return common;
   }
 
-  // The part of the region in which hollows, whichever wall they are in, keep their distance from
-  // the other faces of their tile and from hollows that stand as near to the corner as they do.
+  // Part of the region in which hollows in either wall keep their distance from the other faces of
+  // their tile, and from hollows of the next wall at the same distance from the corner.
   Polygon region_for_hollows(int k, const InterfacePlane& plane, const Shape& hollow,
                              Polygon region) const {
     const double R = sphere_radius(hollow.radius, hollow.height), flat = R - hollow.height;
@@ -181,7 +180,7 @@ class Planner {
     return std::atan2(std::abs(wedge(a, b)), a.dot(b));
   }
 
-  // Bumps of the largest diameter that fits, from shrink_[k] steps below the standard one.
+  // Places bumps of the largest diameter that fits, from shrink_[k] steps below the standard one.
   void place(int k) {
     centres_[k].clear();
     if (geometry_.patches[k].point_count < 3) {
@@ -194,7 +193,7 @@ class Planner {
       shape_[k] = {0.5 * bump_aspect * p_.bump_height * shrunk, p_.bump_height};
       const double apart = p_.bumps == "dimples" ? 2 * dimple_of(shape_[k]).radius + material_
                                                  : 2 * shape_[k].radius + bump_spacing;
-      for (const Vec2& p : bump_pattern(region(k, plane, shape_[k]), bump_count, apart)) {
+      for (const Vec2& p : bump_pattern(region(k, plane, shape_[k]), apart)) {
         centres_[k].push_back(plane.to_world(p));
       }
       if (!centres_[k].empty()) return;
@@ -245,8 +244,8 @@ class Planner {
     if (least < flat_clearance) reason_[k] = "would_touch";
   }
 
-  // Whether the hollows of an interface pierce no other face and meet none of those that are there.
-  bool hollows_fit(int k, const std::vector<std::vector<WallCap>>& there) const {
+  // Whether the hollows of an interface keep their distance from faces and from `placed` hollows.
+  bool hollows_fit(int k, const std::vector<std::vector<WallCap>>& placed) const {
     for (int s = 0; s < 2; ++s) {
       const int tile = tiles_.contacts[k].tile[s];
       for (const WallCap& cap : caps_of(k, s)) {
@@ -260,8 +259,8 @@ class Planner {
             return false;
           }
         }
-        for (const WallCap& other : there[tile]) {
-          // Where the spheres are nearest beyond the caps, the base discs are nearer still.
+        for (const WallCap& other : placed[tile]) {
+          // Infinite where the spheres are nearest beyond the caps: then base discs are nearer.
           const double apart =
               distance(sphere, cap_sphere(other.centre, other.axis, other.radius, other.height));
           const double discs = (other.centre - cap.centre).norm() - other.radius - cap.radius;
@@ -272,11 +271,11 @@ class Planner {
     return true;
   }
 
-  // Interface after interface, with smaller hollows where others are in the way.
+  // Shrinks hollows, interface after interface, that do not fit beside those placed before.
   void fit_hollows() {
-    std::vector<std::vector<WallCap>> there(tiles_.tile_count());
+    std::vector<std::vector<WallCap>> placed(tiles_.tile_count());
     for (int k = 0; k < static_cast<int>(tiles_.contacts.size()); ++k) {
-      bool fits = reason_[k].empty() && hollows_fit(k, there);
+      bool fits = reason_[k].empty() && hollows_fit(k, placed);
       while (!fits && reason_[k].empty()) {
         if (++shrink_[k] > shrink_steps) {
           reason_[k] = "would_break_through";
@@ -284,12 +283,12 @@ class Planner {
         }
         place(k);
         if (reason_[k].empty()) check_flat(k);
-        fits = reason_[k].empty() && hollows_fit(k, there);
+        fits = reason_[k].empty() && hollows_fit(k, placed);
       }
       if (!fits) continue;
       for (int s = 0; s < 2; ++s) {
         for (const WallCap& cap : caps_of(k, s)) {
-          if (!cap.bump) there[tiles_.contacts[k].tile[s]].push_back(cap);
+          if (!cap.bump) placed[tiles_.contacts[k].tile[s]].push_back(cap);
         }
       }
     }
@@ -327,7 +326,7 @@ BumpPlan plan_bumps(const DesignGeometry& geometry, const FlatPoses& poses,
 }
 
 double sliding_play(const BumpPlan& plan, const TileMesh& tiles) {
-  // Of each contact its bumps' and its hollows' radius: all alike.
+  // Radius of bumps and of hollows per contact.
   std::vector<std::array<double, 2>> radius(tiles.contacts.size(), {0, 0});
   for (const std::vector<WallCap>& caps : plan.of_tile) {
     for (const WallCap& cap : caps) radius[cap.contact][cap.bump ? 0 : 1] = cap.radius;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Friction bumps: where they stand on the interfaces, and how far the walls are recessed for them.
+// Places of friction bumps on the interfaces, and recesses of the walls for them.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace curveups {
 
-// A spherical cap on a wall, in its tile's frame; the base circle lies on the (recessed) wall.
+// Spherical cap on a wall, in its tile's frame; the base circle lies on the (recessed) wall.
 struct WallCap {
   int wall;           // 0 to 2
   Vec3 centre, axis;  // the axis points to the apex: outward for bumps, inward for dimples
@@ -19,7 +19,7 @@ struct WallCap {
   int contact;
 };
 
-// An interface that carries no bumps, and why.
+// Interface without bumps.
 struct BareInterface {
   int contact;
   std::string reason;  // "edge_only", "too_small", "would_touch", "would_break_through"
@@ -32,24 +32,22 @@ struct BumpPlan {
   std::vector<BareInterface> bare;
 };
 
-// The bumps of an interface (at least three, not on a line) are shared out between its two walls in
-// turn, so that they interleave; both walls stand back by half the height, so that every apex just
-// touches the wall that faces it when actuated. With "dimples" the facing wall has a hollow
-// concentric with each bump, and walls meet: they stand back by xy_compensation, as bare ones do.
-// Where three do not fit the diameter shrinks, to half at most; interfaces that are too small even
-// so, or whose bumps would touch a neighbour in the flat layout, stay bare. Throws
-// InfeasibleDesign, naming the tiles, where recessing or truncation leaves a tile without front or
-// back.
+// The three bumps of an interface alternate between its two walls. Both walls are recessed by half
+// the height, so that every apex touches the facing wall when actuated. With "dimples" the facing
+// wall has a hollow concentric with each bump, and walls meet: they are recessed by
+// xy_compensation, as bare ones are. Where bumps do not fit the diameter shrinks, to half at most;
+// interfaces that are still too small, or whose bumps would touch a neighbour in the flat layout,
+// stay bare. Throws InfeasibleDesign, naming the tiles, where recess or truncation leaves a tile
+// without front or back.
 BumpPlan plan_bumps(const DesignGeometry& geometry, const FlatPoses& poses,
                     const Parameters& parameters);
 
-// Per contact the apexes of its bumps in the actuated configuration (world) where its tiles touch
-// there: none where it stays bare, nor where bumps sink into dimples with clearance and the walls
-// touch.
+// Apexes of the bumps per contact in the actuated configuration (world), where tiles touch. Empty
+// for bare contacts, and for dimples, where the walls touch.
 std::vector<Points3> bump_tips(const BumpPlan& plan, const TileMesh& tiles);
 
-// How far tiles whose walls touch can slide before bumps stop at the rims of their dimples, mm, at
-// the contact with the most play; 0 without dimples.
+// Largest slide of tiles whose walls touch before bumps stop at the rims of their dimples, mm; 0
+// without dimples.
 double sliding_play(const BumpPlan& plan, const TileMesh& tiles);
 
 }  // namespace curveups

@@ -7,6 +7,7 @@
 
 #include "curveups/bodies/convex_distance.hpp"
 #include "curveups/core/parallel.hpp"
+#include "curveups/core/tolerances.hpp"
 #include "curveups/geometry/overlapping_boxes.hpp"
 
 namespace curveups {
@@ -92,6 +93,11 @@ std::vector<double> measure_pairs(const std::vector<std::array<int, 2>>& pairs, 
   return values;
 }
 
+Finding reason(const char* kind, const PairFigure& figure) {
+  const Finding::Pairs pair = {figure.tiles};
+  return {kind, tiles_of(pair), {{"value", figure.value}, {"at", tiles_of(pair)}}};
+}
+
 }  // namespace
 
 PairFigure min_clearance_flat(const TileBodies& bodies) {
@@ -132,6 +138,14 @@ PairFigure max_overlap_actuated(const TileBodies& bodies) {
     if (values[k] > out.value) out = {values[k], pairs[k]};
   }
   return out;
+}
+
+std::vector<Finding> body_reasons(const PairFigure& flat, const PairFigure& actuated) {
+  std::vector<Finding> reasons;
+  if (flat.value <= 0) reasons.push_back(reason("bodies_meet", flat));
+  if (actuated.value > tolerance::overlap_volume)
+    reasons.push_back(reason("bodies_overlap", actuated));
+  return reasons;
 }
 
 }  // namespace curveups

@@ -12,11 +12,11 @@
 namespace curveups {
 namespace {
 
-// Body, front pin, back pin, in world coordinates; a pin that there is no room for has no faces.
+// Body, front pin, back pin, in world coordinates; a pin without room has no faces.
 using Parts = std::array<ConvexBody, 3>;
 
-// Takes away what keep-outs of insets leave to no pin: a prism stays behind the plane with its foot
-// and its top. Planes along the face bound no inset (add_keepouts), and pins stay as high.
+// Clips a pin as keep-outs bound its insets: the prism stays behind the plane with foot and top.
+// Planes along the face bound no inset (add_keepouts).
 void keep_behind(ConvexBody& pin, const Plane& plane, double z_low, double z_high) {
   const double level = plane.normal.head<2>().norm();
   if (level < 1e-9 || pin.faces.empty()) return;
@@ -78,10 +78,8 @@ std::vector<std::array<int, 2>> facing_pins(const DesignGeometry& geometry, doub
   });
   std::vector<std::array<int, 2>> out;
   for (std::size_t k = 0; k < near.size(); ++k) {
-    if (meet[k])
-      out.push_back({std::min(near[k][0], near[k][1]), std::max(near[k][0], near[k][1])});
+    if (meet[k]) out.push_back(near[k]);
   }
-  std::sort(out.begin(), out.end());
   return out;
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double two_holes = 12.0;  // mm of edge
 
-// Places along an edge, mm from its start as its tile runs along it.
+// Places along an edge, mm from its start in the direction of its tile.
 struct Range {
   double low, high;
   bool empty() const { return !(low <= high); }
@@ -37,7 +37,7 @@ class Planner {
   }
 
  private:
-  // The place `along` the joint as its first tile runs along it, in tile s of the joint.
+  // Axis in tile s of the joint; `along`: in the direction of its first tile.
   Vec2 axis(const Joint& joint, int s, double along) const {
     const int tile = joint.tile[s], t = joint.side[s];
     const std::array<Vec2, 3>& corner = tiles_.front[tile];
@@ -63,8 +63,8 @@ class Planner {
     return depth;
   }
 
-  // Where tile s of the joint leaves room: each face of its body but front and back keeps the
-  // hole's surface p_floor away, at the faces' height where it comes nearest.
+  // Free places along tile s of the joint: p_floor between the hole and each face of the body but
+  // front and back, at the height where they are nearest.
   Range free_range(const Joint& joint, int s) const {
     const int tile = joint.tile[s];
     const double length = tiles_.length(tile, joint.side[s]);

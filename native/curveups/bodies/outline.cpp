@@ -41,8 +41,8 @@ std::pair<Vec2, Vec2> box_of(const ClipperLib::Path& path) {
   return {low, high};
 }
 
-// A hole that is no wider than twice the offset closes. Left in, it grows inside out, which takes
-// Clipper seconds where there are a thousand.
+// Whether a path is a hole no wider than twice the offset. Such holes grow inside out, which takes
+// Clipper seconds for a thousand.
 bool closes(const ClipperLib::Path& path, double offset) {
   if (ClipperLib::Orientation(path)) return false;
   const auto [low, high] = box_of(path);
@@ -51,7 +51,7 @@ bool closes(const ClipperLib::Path& path, double offset) {
 
 Paths grown(const Paths& paths, ClipperLib::EndType ends, double offset, double deviation) {
   checkpoint();
-  // The last chord of an arc may be twice as long as asked for, and lie four times as far inside.
+  // Clipper's last chord of an arc may be twice as long, and lie four times as far inside.
   ClipperLib::ClipperOffset offsetter(2, 0.25 * deviation / unit);
   offsetter.AddPaths(paths, ClipperLib::jtRound, ends);
   Paths out;
@@ -65,9 +65,8 @@ Vec2 middle_of(const ClipperLib::Path& path) {
   return 0.5 * (low + high);
 }
 
-// The union of paths, each grown by `first`, without the holes that close when it grows by `rest`
-// too. A sweep crosses all that it is given at every height: thousands are united near one another
-// first, what is inside of them is gone then, and the time grows as their number.
+// Union of paths, each grown by `first`, without the holes that close when it grows by `rest` too.
+// Thousands of paths are united in halves first: the time of one sweep grows with the square.
 Paths joined(Paths paths, double first, double rest, double deviation) {
   Paths all;
   if (paths.size() <= most_swept) {
@@ -134,7 +133,7 @@ Paths combined(ClipperLib::ClipType how, const Paths& subject, const Paths& othe
 std::vector<Polygon> outline_of(const std::vector<OutlineShape>& shapes, double deviation) {
   if (shapes.empty()) throw InvalidInput("an outline of no shapes", "pass a layout with tiles");
   // Shapes with the same offset grow together, first by a little that joins neighbours: thousands
-  // of large arcs that overlap take Clipper seconds.
+  // of large overlapping arcs take Clipper seconds.
   std::map<double, Paths> polygons, points;
   for (const OutlineShape& shape : shapes) {
     auto& alike = shape.polygon.size() == 1 ? points : polygons;
@@ -163,7 +162,7 @@ std::vector<Polygon> outline_without(const std::vector<Polygon>& outline, const 
   if (!region.empty()) left = combined(ClipperLib::ctIntersection, left, {to_path(region)});
   if (apart > 0) others = grown(others, ClipperLib::etClosedPolygon, apart, deviation);
   left = combined(ClipperLib::ctDifference, left, others);
-  // Needles and necks that are narrower than two chords go: a printer makes none of them.
+  // Opening removes needles and necks narrower than two chords, which no printer makes.
   left = grown(left, ClipperLib::etClosedPolygon, -0.5 * deviation, deviation);
   left = grown(left, ClipperLib::etClosedPolygon, 0.5 * deviation, deviation);
   ClipperLib::CleanPolygons(left, 0.1 * deviation / unit);

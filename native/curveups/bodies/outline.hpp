@@ -9,21 +9,21 @@
 
 namespace curveups {
 
-// A convex polygon or one point, and the distance (mm) from it at which the contour runs.
+// Convex polygon or one point, and the distance of the contour from it, mm.
 struct OutlineShape {
   Polygon polygon;
   double offset;
 };
 
-// Loops of the boundary of the union of all shapes grown by their offsets, simple; the outer ones
-// counter-clockwise, holes clockwise, the one with the largest area first. Arcs are chords that lie
-// up to `deviation` (mm) inside of them; holes smaller than its square are closed, and corners that
-// stand out by less than 0.1 micrometres, or are as near to the next, are left out: meshes in
-// single precision would cross themselves there. Throws InvalidInput without shapes.
+// Boundary loops of the union of all shapes grown by their offsets, simple; outer loops
+// counter-clockwise, holes clockwise, the largest area first. Chords lie up to `deviation` (mm)
+// inside of their arcs. Holes smaller than its square are closed. Corners that stand out by less
+// than 0.1 micrometres, or are as near to the next, are left out: meshes in single precision would
+// cross themselves there. Throws InvalidInput without shapes.
 std::vector<Polygon> outline_of(const std::vector<OutlineShape>& shapes, double deviation);
 
-// What is left of an outline (as outline_of gives it) inside of `region` (any; empty: all) and
-// outside of the `taken` loops grown by `apart`: its largest part, and the holes in that.
+// Largest part, with its holes, of an outline (from outline_of) inside of `region` (any polygon;
+// empty: the plane) and outside of the `taken` loops grown by `apart`.
 std::vector<Polygon> outline_without(const std::vector<Polygon>& outline, const Polygon& region,
                                      const std::vector<Polygon>& taken, double apart,
                                      double deviation);

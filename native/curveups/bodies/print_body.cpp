@@ -8,7 +8,7 @@
 namespace curveups {
 namespace {
 
-// Area of a polygon about `normal`, from its own first point so that nothing cancels.
+// Area of a polygon about `normal`, relative to its first point against cancellation.
 double polygon_area(const PrintBody& body, const std::vector<int>& loop, const Vec3& normal) {
   const Vec3& o = body.points[loop[0]];
   Vec3 sum = Vec3::Zero();
@@ -49,7 +49,7 @@ double face_area(const PrintBody& body, const PlanarFace& face) {
 }
 
 double volume(const PrintBody& body) {
-  // Relative to a point of the body: coordinates of hundreds of mm would cost digits.
+  // Relative to a point of the body, against cancellation.
   const Vec3 origin = body.points.empty() ? body.circles.at(0).centre : body.points[0];
   double sum = 0;
   for (const PlanarFace& face : body.faces) {
@@ -58,7 +58,7 @@ double volume(const PrintBody& body) {
   for (const SphericalCap& cap : body.caps) {
     const BodyCircle& c = body.circles[cap.circle];
     const double r = c.radius, h = cap.height, sign = cap.bump ? 1 : -1;
-    // The cap's flux is that of its base disc and of what lies between the two.
+    // Flux of the base disc and of the space between disc and cap.
     const Vec3 outward = sign * cap.axis;
     sum += M_PI * r * r * outward.dot(c.centre - origin) / 3;
     sum += sign * M_PI * h * (3 * r * r + h * h) / 6;
@@ -132,11 +132,10 @@ std::vector<int> extrude(PrintBody& body, const std::vector<int>& base, const Ve
   return top;
 }
 
-std::pair<BodyLoop, BodyLoop> add_walls(PrintBody& body, const Polygon& polygon, double height,
-                                        FaceRole role) {
+std::pair<BodyLoop, BodyLoop> add_walls(PrintBody& body, const Polygon& polygon, double height) {
   const std::vector<int> base = add_points(body, polygon, 0);
   return {BodyLoop{{base.rbegin(), base.rend()}},
-          BodyLoop{extrude(body, base, Vec3(0, 0, height), role)}};
+          BodyLoop{extrude(body, base, Vec3(0, 0, height), FaceRole::plain)}};
 }
 
 }  // namespace curveups

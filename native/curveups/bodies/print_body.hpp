@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A closed body as the print is described, whatever it is written as: planar faces with holes,
-// spherical caps (bumps and dimples) and cylinder walls. No OpenCASCADE here.
+// Closed bodies of a print: planar faces with holes, spherical caps (bumps and dimples) and
+// cylinder walls. No OpenCASCADE here.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@
 
 namespace curveups {
 
-// Row `tile` of the poses, with the tile's front face at height z.
+// Motion of row `tile` of the poses, with the tile's front face at height z.
 RigidMotion flat_motion(const FlatPoses& poses, int tile, double z);
 
 // A circle that a planar face shares with a cap or a cylinder wall.
@@ -31,7 +31,7 @@ struct BodyLoop {
   int circle = -1;
 };
 
-// What a tile's face is; foot: the end of the back pin, on which the print stands.
+// Role of a tile's face. foot: end of the back pin, on which the print stands.
 enum class FaceRole { front, back, wall, cut, front_pin, back_pin, foot, plain };
 
 // outer runs counter-clockwise and inner ones clockwise about the outward normal.
@@ -58,11 +58,20 @@ struct CylinderWall {
 
 enum class BodyKind { tile, support, anchor };
 
+// Colour of bodies in STEP and 3MF, sRGB, 0 to 255: tiles blue, support sand, anchors brick.
+struct Colour {
+  unsigned char red, green, blue;
+};
+inline Colour body_colour(BodyKind kind) {
+  constexpr Colour colours[] = {{58, 110, 165}, {222, 203, 164}, {190, 92, 67}};
+  return colours[static_cast<int>(kind)];
+}
+
 struct PrintBody {
   std::string name;
   BodyKind kind = BodyKind::tile;
   int piece = 0;
-  int tile = -1;  // whose body it is, -1 of supports and anchors
+  int tile = -1;  // row of F; -1: support or anchor
   std::vector<Vec3> points;
   std::vector<BodyCircle> circles;
   std::vector<PlanarFace> faces;
@@ -72,10 +81,10 @@ struct PrintBody {
 
 double sphere_radius(double base_radius, double height);
 
-// mm2, holes left out.
+// Area without holes, mm2.
 double face_area(const PrintBody& body, const PlanarFace& face);
 
-// mm3 by the divergence theorem; exact, caps and cylinders included.
+// Exact volume by the divergence theorem, mm3.
 double volume(const PrintBody& body);
 
 void move(PrintBody& body, const RigidMotion& motion);
@@ -97,15 +106,13 @@ Box bounding_box(const PrintBody& body);
 // Adds points at height z; returns their loop.
 std::vector<int> add_points(PrintBody& body, const Polygon& polygon, double z);
 
-// Adds the right prism over the loop of points `base` (counter-clockwise about `direction`): the
-// new top loop and its lateral faces; returns the top loop. The caps of the prism are the caller's.
+// Adds the lateral faces of the prism over the loop of points `base` (counter-clockwise about
+// `offset`); returns its top loop.
 std::vector<int> extrude(PrintBody& body, const std::vector<int>& base, const Vec3& offset,
                          FaceRole role);
 
-// Adds the walls from z = 0 to `height` around a polygon, with material inside of one that runs
-// counter-clockwise, and outside of any other. Returns its loops as the faces below and above see
-// them.
-std::pair<BodyLoop, BodyLoop> add_walls(PrintBody& body, const Polygon& polygon, double height,
-                                        FaceRole role = FaceRole::plain);
+// Adds the walls from z = 0 to `height` around a polygon: material is inside of a counter-clockwise
+// one and outside of a clockwise one. Returns the loops of the faces below and above.
+std::pair<BodyLoop, BodyLoop> add_walls(PrintBody& body, const Polygon& polygon, double height);
 
 }  // namespace curveups

@@ -54,8 +54,8 @@ CapSphere sphere_of(const WallCap& cap) {
   return cap_sphere(cap.centre, cap.axis, cap.radius, cap.height);
 }
 
-// How far the hollow lies below the face's plane. The point of the hollow that is nearest to it is
-// on its sphere, or else on its rim.
+// Depth of the hollow below the face's plane. The hollow's nearest point lies on its sphere, or
+// else on its rim.
 double material_below(const BodyFace& face, const WallCap& hollow) {
   const CapSphere sphere = sphere_of(hollow);
   const Vec3& n = face.plane.normal;
@@ -65,7 +65,7 @@ double material_below(const BodyFace& face, const WallCap& hollow) {
          hollow.radius * std::sqrt(std::max(0.0, 1 - slope * slope));
 }
 
-// From a point of one hollow to another hollow.
+// Distance from a point of one hollow to another hollow.
 double distance(const Vec3& p, const WallCap& hollow) {
   const CapSphere sphere = sphere_of(hollow);
   const Vec3 outwards = p - sphere.centre;
@@ -75,7 +75,7 @@ double distance(const Vec3& p, const WallCap& hollow) {
   return std::hypot(height, beside);
 }
 
-// Of two hollows: between their spheres, or from one's rim, point by point.
+// Distance of two hollows: between their spheres, or from a rim, point by point.
 double distance(const WallCap& a, const WallCap& b) {
   constexpr int points = 64;
   double least = distance(sphere_of(a), sphere_of(b));
@@ -113,6 +113,17 @@ FaceRole role_of(int tag) {
 
 }  // namespace
 
+TileBodies make_tile_bodies(const Design& design) {
+  TileBodies out;
+  out.parameters = design.parameters;
+  out.geometry = make_geometry(design.mesh, design.cuts, design.parameters);
+  out.poses = fit_poses(out.geometry.tiles, design.T);
+  out.q = design.q;
+  out.bumps = plan_bumps(out.geometry, out.poses, out.parameters);
+  check_pins(out.geometry.tiles, out.bumps.body, out.q);
+  return out;
+}
+
 PrintBody make_tile_print(const TileMesh& tiles, const ConvexBody& body,
                           const std::vector<WallCap>& caps, const double* q, int tile,
                           double H_pin) {
@@ -140,7 +151,7 @@ PrintBody make_tile_print(const TileMesh& tiles, const ConvexBody& body,
     const FaceRole at = front ? FaceRole::front : FaceRole::back;
     std::vector<int> base =
         add_points(out, pin_outline(tiles, q, tile, side), front ? 0.0 : -tiles.H_body);
-    // As seen from outside, and the other way round as a hole of the face it stands on.
+    // Counter-clockwise from outside; reversed as the hole of the face below the pin.
     if (!front) std::reverse(base.begin(), base.end());
     BodyLoop hole;
     hole.points.assign(base.rbegin(), base.rend());

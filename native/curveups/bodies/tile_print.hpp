@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Tiles as printed: body with recessed walls, both pins, bumps or hollows, as one closed body.
+// Tiles of a design with bumps, where both physics and fabrication start, and as printed: recessed
+// walls, both pins, bumps or hollows in one closed body.
 #pragma once
 
 #include <array>
@@ -8,11 +9,24 @@
 
 #include "curveups/bodies/bumps.hpp"
 #include "curveups/bodies/print_body.hpp"
+#include "curveups/design/design.hpp"
 
 namespace curveups {
 
-// All in the tile's frame: front face at z = 0, pins from 0 to H_pin and below -H_body.
-// Preconditions: check_pins.
+struct TileBodies {
+  Parameters parameters;
+  DesignGeometry geometry;
+  FlatPoses poses;
+  Array6 q;
+  BumpPlan bumps;
+};
+
+// Throws InfeasibleDesign, naming tiles, where pins or faces are turned inside out; what
+// make_geometry throws.
+TileBodies make_tile_bodies(const Design& design);
+
+// Makes a tile in its frame: front face at z = 0, pins from 0 to H_pin and below -H_body.
+// Precondition: check_pins.
 PrintBody make_tile_print(const TileMesh& tiles, const ConvexBody& body,
                           const std::vector<WallCap>& caps, const double* q, int tile,
                           double H_pin);
@@ -21,13 +35,12 @@ PrintBody make_tile_print(const TileMesh& tiles, const ConvexBody& body,
 // front or back face of its (recessed, truncated) body.
 void check_pins(const TileMesh& tiles, const std::vector<ConvexBody>& bodies, const Array6& q);
 
-// The narrowest places of a tile, mm.
+// Narrowest places of a tile, mm.
 struct TileFeatures {
   double front_pin, back_pin;  // diameter of the outline's inscribed circle
   double body;                 // thickness, or the width of the narrower face
   double bump;                 // diameter, 0 without bumps
-  double hollow_wall;  // least material from a hollow to a face of the body or to another hollow,
-                       // infinite without hollows
+  double hollow_wall;          // material beside hollows, infinite without hollows
 };
 TileFeatures tile_features(const TileMesh& tiles, const ConvexBody& body,
                            const std::vector<WallCap>& caps, const double* q, int tile);

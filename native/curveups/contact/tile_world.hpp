@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "curveups/bodies/tile_bodies.hpp"
+#include "curveups/bodies/tile_print.hpp"
 #include "curveups/contact/contact_world.hpp"
 #include "curveups/contact/given_forces.hpp"
 #include "curveups/contact/reduced_membrane.hpp"

@@ -23,14 +23,14 @@ Basis basis_of(const Vec3& n) {
   return {u, n.cross(u)};
 }
 
-// Segments of a full circle whose chords stay within the deviation.
+// Least number of segments of a full circle whose chords stay within the deviation.
 int segments(double radius, double deviation) {
   const double c = std::max(0.0, 1 - deviation / radius);
   return std::clamp(static_cast<int>(std::ceil(M_PI / std::acos(c))), 8, 720);
 }
 
-// A regular polygon has its circle's area where its corners stand that much farther out. They and
-// its chords then stay nearer to the circle than the chords of corners on the circle.
+// Circumradius over radius of the regular polygon with a circle's area. Its corners and chords are
+// nearer to the circle than chords between corners on the circle.
 double equal_area_scale(int corners) {
   const double angle = 2 * M_PI / corners;
   return std::sqrt(angle / std::sin(angle));
@@ -48,7 +48,7 @@ class Mesher {
     if (!options.caps) {
       for (const SphericalCap& cap : body.caps) flat_[cap.circle] = 1;
     }
-    // Cylinder walls join points of the same angle: their circles have a common axis and number.
+    // Cylinder walls join points of the same angle: both circles take one axis and count.
     for (const CylinderWall& wall : body.cylinders) {
       for (int circle : {wall.bottom, wall.top}) {
         make_ring(circle, body.circles[wall.bottom].axis, equal_area_scale(corners_of(circle)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Watertight triangle meshes straight from the description of a body.
+// Watertight triangle meshes of bodies.
 #pragma once
 
 #include <array>
@@ -20,13 +20,13 @@ struct BodyMesh {
 
 struct MeshingOptions {
   double deviation = 0.02;  // mm, of chords and facets from circles and spheres
-  bool caps = true;         // false: walls are flat where bumps and hollows would be
+  bool caps = true;         // false: flat walls instead of bumps and hollows
 };
 
-// Faces share their points, so every edge belongs to two triangles, in opposite directions.
+// Faces share their points: every edge belongs to two triangles, in opposite directions.
 BodyMesh mesh_body(const PrintBody& body, const MeshingOptions& options);
 
-// One mesh per body, in parallel. Throws Cancelled.
+// Meshes all bodies in parallel. Throws Cancelled.
 std::vector<BodyMesh> mesh_bodies(const std::vector<const PrintBody*>& bodies,
                                   const MeshingOptions& options);
 

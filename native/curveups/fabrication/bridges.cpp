@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/fabrication/bridges.hpp"
-
-#include <Eigen/Geometry>
+// Breakaway support: thin bridges between neighbouring bodies. They lie just above the back faces:
+// the front membrane is glued first, and the bridges are then broken from the back.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "curveups/bodies/convex_distance.hpp"
 #include "curveups/core/checkpoint.hpp"
+#include "curveups/core/disjoint_sets.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 #include "curveups/design/print_constants.hpp"
+#include "curveups/fabrication/supports.hpp"
 #include "curveups/geometry/overlapping_boxes.hpp"
 
 namespace curveups {
@@ -18,11 +20,30 @@ namespace {
 
 // Twice the smallest feature of the coarsest printer (FDM), half of it above the notches.
 constexpr double bridge_thickness = 0.8, bridge_notch = 0.2;
-constexpr double clearance = 0.1;  // from back and front faces, and bumps of its own two bodies, mm
-constexpr double apart =
-    0.3;  // from others at least: the widest gap that a printer of ours asks for
+constexpr double clearance =
+    0.1;                       // from back and front faces, and from bumps of its two bodies, mm
+constexpr double apart = 0.3;  // from other bodies and bridges, mm: the widest gap of any printer
+constexpr int bridges_of_anchor = 2;  // enough to hold it
 
-// How far from p along d the convex body begins; nothing where the line passes it by.
+// Two bodies to be joined, and lines of sight to try, the best ones first.
+struct Wish {
+  int a, b;
+  std::vector<std::array<Vec2, 2>> sight;  // a point between the bodies, unit direction from a to b
+  int most = 0;  // bridges at b, those of earlier wishes included; 0: any number
+};
+
+struct Bridges {
+  std::vector<PrintBody> bodies;
+  std::vector<std::array<int, 2>> joined;  // per bridge
+};
+
+// A body in print coordinates with balls (centre, radius) around its bumps and hollows.
+struct Obstacle {
+  ConvexBody body;
+  std::vector<std::pair<Vec3, double>> balls = {};
+};
+
+// Distance along d from p to the body; none where the line passes it by.
 std::optional<double> entry(const ConvexBody& body, const Vec3& p, const Vec3& d) {
   double enter = -1e300, leave = 1e300;
   for (const BodyFace& face : body.faces) {
@@ -39,15 +60,15 @@ std::optional<double> entry(const ConvexBody& body, const Vec3& p, const Vec3& d
   return enter;
 }
 
-// A bridge before it is made: along `d` from `from` to `to` (relative to `middle`).
+// Extent of a bridge along `d`, from `middle`.
 struct Span {
   Vec2 middle, d;
-  double from, to;            // the ends, inside the bodies
-  double wall_from, wall_to;  // where the gap begins and ends on the whole width
+  double from, to;            // ends, inside the bodies
+  double wall_from, wall_to;  // ends of the gap, on the whole width
 };
 
-ConvexBody box_of(const Span& span, double width, double z0, double z1) {
-  const Vec2 side = 0.5 * width * left_of(span.d);
+ConvexBody box_of(const Span& span, double z0, double z1) {
+  const Vec2 side = 0.5 * bridge_width * left_of(span.d);
   const Vec2 from = span.middle + span.from * span.d, to = span.middle + span.to * span.d;
   return make_prism({from - side, to - side, to + side, from + side}, z0, z1);
 }
@@ -59,8 +80,8 @@ bool contains(const ConvexBody& body, const Vec3& p) {
   return true;
 }
 
-// The box with a notch in its underside at either wall: on that side, the back, users break them,
-// and whoever prints it front side down prints notches that are open at their top.
+// Box with a notch in its underside at either wall. Users break bridges from that side, the back; a
+// print with its front side down has the notches open at their top.
 PrintBody notched(const Span& span, double z0, double z1) {
   const double gap = span.wall_to - span.wall_from;
   const double half = std::min(bridge_notch, 0.24 * gap);
@@ -122,51 +143,29 @@ std::optional<Span> find_span(const ConvexBody& a, const ConvexBody& b,
   return span;
 }
 
-// The bridges made so far.
-class TakenPlaces {
- public:
-  bool clear_of(const ConvexBody& bridge) const {
-    const Box box = bounding_box(bridge);
-    for (std::size_t k = 0; k < bridges_.size(); ++k) {
-      const Vec3 between = (box.low - boxes_[k].high).cwiseMax(boxes_[k].low - box.high);
-      if (between.maxCoeff() < apart && distance(bridges_[k], bridge) < apart) return false;
-    }
-    return true;
-  }
-  void add(ConvexBody bridge) {
-    boxes_.push_back(bounding_box(bridge));
-    bridges_.push_back(std::move(bridge));
-  }
-
- private:
-  std::vector<Box> boxes_;
-  std::vector<ConvexBody> bridges_;
-};
-
 double thickness(const Parameters& p) {
   return std::min(bridge_thickness, p.H_body - 2 * clearance);
 }
 
-}  // namespace
-
-double bridge_neck(const Parameters& p) { return thickness(p) - 2 * bridge_notch; }
-
-Bridges make_bridges(const std::vector<BridgeObstacle>& bodies,
-                     const std::vector<BridgeWish>& wishes, double z, const Parameters& p) {
+// Makes one bridge per wish where one of its lines of sight is free. A bridge enters both bodies by
+// bridge_depth and keeps clear of their bumps, of bridges of earlier wishes and, by d_gap_min, of
+// third bodies. z: height of the back faces.
+Bridges make_bridges(const std::vector<Obstacle>& bodies, const std::vector<Wish>& wishes, double z,
+                     const Parameters& p) {
   const double z0 = z + clearance, z1 = z0 + thickness(p);
   if (z1 - z0 < 2.5 * bridge_notch) {
     throw InfeasibleDesign("the tiles are too thin for breakaway bridges",
                            "raise H_body, or choose another support");
   }
-  const double gap = std::max(apart, p.d_gap_min);  // from third bodies, as these from one another
+  const double gap = std::max(apart, p.d_gap_min);
   const double reach = std::max(2.0, gap);
   const int count = static_cast<int>(bodies.size());
   Points3 low(count, 3), high(count, 3);
   for (int i = 0; i < count; ++i) {
     Box box = bounding_box(bodies[i].body);
-    for (std::size_t k = 0; k < bodies[i].ball_centres.size(); ++k) {
-      box.add(bodies[i].ball_centres[k] - Vec3::Constant(bodies[i].ball_radii[k]));
-      box.add(bodies[i].ball_centres[k] + Vec3::Constant(bodies[i].ball_radii[k]));
+    for (const auto& [centre, radius] : bodies[i].balls) {
+      box.add(centre - Vec3::Constant(radius));
+      box.add(centre + Vec3::Constant(radius));
     }
     low.row(i) = (box.low - Vec3::Constant(reach)).transpose();
     high.row(i) = (box.high + Vec3::Constant(reach)).transpose();
@@ -176,58 +175,188 @@ Bridges make_bridges(const std::vector<BridgeObstacle>& bodies,
     near[i].push_back(j);
     near[j].push_back(i);
   }
-  auto free = [&](const ConvexBody& box, int a, int b) {
-    auto clear_of = [&](int i) {
-      const BridgeObstacle& body = bodies[i];
+  const auto free = [&](const ConvexBody& box, int a, int b) {
+    const auto clear_of = [&](int i) {
       const bool own = i == a || i == b;
       const double keep = own ? clearance : gap;
-      for (std::size_t k = 0; k < body.ball_centres.size(); ++k) {
-        const Vec3& c = body.ball_centres[k];
-        if ((nearest_point(box, c) - c).norm() < body.ball_radii[k] + keep) return false;
+      for (const auto& [centre, radius] : bodies[i].balls) {
+        if ((nearest_point(box, centre) - centre).norm() < radius + keep) return false;
       }
-      return own || distance(box, body.body) >= gap;
+      return own || distance(box, bodies[i].body) >= gap;
     };
-    if (!clear_of(a) || !clear_of(b)) return false;
-    for (int i : near[a]) {
-      if (!clear_of(i)) return false;
-    }
-    return std::all_of(near[b].begin(), near[b].end(), clear_of);
+    return clear_of(a) && clear_of(b) && std::all_of(near[a].begin(), near[a].end(), clear_of) &&
+           std::all_of(near[b].begin(), near[b].end(), clear_of);
   };
-  // The next line of sight from `from` on that is free; nothing where there is none.
   struct Place {
     std::size_t sight;
     Span span;
     ConvexBody box;
   };
-  auto next_free = [&](const BridgeWish& wish, std::size_t from) -> std::optional<Place> {
+  // First free line of sight at or after `from`.
+  const auto next_free = [&](const Wish& wish, std::size_t from) -> std::optional<Place> {
     for (std::size_t k = from; k < wish.sight.size(); ++k) {
       const auto span = find_span(bodies[wish.a].body, bodies[wish.b].body, wish.sight[k], z0, z1);
       if (!span) continue;
-      ConvexBody box = box_of(*span, bridge_width, z0, z1);
+      ConvexBody box = box_of(*span, z0, z1);
       if (free(box, wish.a, wish.b)) return Place{k, *span, std::move(box)};
     }
     return std::nullopt;
   };
   std::vector<std::optional<Place>> best(wishes.size());
   parallel_for(static_cast<int>(wishes.size()), [&](int w) { best[w] = next_free(wishes[w], 0); });
-  // Bridges keep clear of one another as well, the earlier wish first.
   Bridges out;
-  TakenPlaces taken;
-  std::vector<int> ending(count, 0);  // bridges at each body
+  std::vector<std::pair<Box, ConvexBody>> taken;
+  const auto clear_of_taken = [&](const ConvexBody& bridge) {
+    const Box box = bounding_box(bridge);
+    return std::all_of(taken.begin(), taken.end(), [&](const auto& other) {
+      const Vec3 between = (box.low - other.first.high).cwiseMax(other.first.low - box.high);
+      return between.maxCoeff() >= apart || distance(other.second, bridge) >= apart;
+    });
+  };
+  std::vector<int> bridges_at(count, 0);
   for (std::size_t w = 0; w < wishes.size(); ++w) {
     checkpoint();
-    const BridgeWish& wish = wishes[w];
-    if (wish.enough > 0 && ending[wish.b] >= wish.enough) continue;
+    const Wish& wish = wishes[w];
+    if (wish.most > 0 && bridges_at[wish.b] >= wish.most) continue;
     std::optional<Place>& place = best[w];
-    while (place && !taken.clear_of(place->box)) place = next_free(wish, place->sight + 1);
+    while (place && !clear_of_taken(place->box)) place = next_free(wish, place->sight + 1);
     if (!place) continue;
-    ++ending[wish.a];
-    ++ending[wish.b];
+    ++bridges_at[wish.a];
+    ++bridges_at[wish.b];
     out.bodies.push_back(notched(place->span, z0, z1));
     out.joined.push_back({wish.a, wish.b});
-    taken.add(std::move(place->box));
+    taken.emplace_back(bounding_box(place->box), std::move(place->box));
   }
   return out;
+}
+
+// Adds the anchor at c to the bodies, and wishes to join it to its piece's nearest tiles.
+void add_anchor_wishes(const PrintModel& model, int piece, const Vec2& c, double height,
+                       std::vector<Obstacle>& bodies, const std::vector<Polygon>& hull,
+                       std::vector<Wish>& wishes) {
+  const Parameters& p = model.parameters;
+  constexpr int corners = 64;
+  const double r = p.anchor_radius;
+  Polygon circle;
+  for (int i = 0; i < corners; ++i) {
+    circle.push_back(c + PlaneRotation(2 * M_PI * i / corners) * Vec2(r, 0));
+  }
+  const int self = static_cast<int>(bodies.size());
+  bodies.push_back({make_prism(circle, 0, height)});
+  std::vector<std::pair<double, int>> near;
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    if (model.piece_of_tile[i] == piece) near.emplace_back(distance(hull[i], c), i);
+  }
+  std::sort(near.begin(), near.end());
+  if (near.size() > 8) near.resize(8);
+  const std::vector<int>& part = model.division.part_of_tile;
+  for (const auto& [gap, tile] : near) {
+    if (!part.empty() && part[tile] != part[near.front().second]) continue;
+    Wish wish{tile, self, {}, 1};
+    std::vector<std::array<Vec2, 2>> beside;
+    for (double s : {0.5, 0.3, 0.7, 0.15, 0.85}) {
+      for (std::size_t e = 0; e < hull[tile].size(); ++e) {
+        const Vec2 &a = hull[tile][e], &b = hull[tile][(e + 1) % hull[tile].size()];
+        const Vec2 target = a + s * (b - a);
+        if (wedge(b - a, c - a) >= 0 || (b - a).norm() < bridge_width) continue;
+        // Towards the axis, or straight out of the wall.
+        const Vec2 inwards = (c - target).normalized(), out = -left_of(b - a).normalized();
+        wish.sight.push_back({0.5 * (target + c - r * inwards), inwards});
+        beside.push_back({target + 0.5 * anchor_distance * out, out});
+      }
+    }
+    wish.sight.insert(wish.sight.end(), beside.begin(), beside.end());
+    wishes.push_back(std::move(wish));
+  }
+}
+
+// Lists tiles and anchors that no bridges join to the largest part of their group. group: a piece,
+// or a part of a divided one, per tile.
+void find_loose(PrintModel& model, const Bridges& bridges, const std::vector<int>& group) {
+  const int tile_count = static_cast<int>(group.size());
+  DisjointSets joined(tile_count + model.anchors.size());
+  for (const auto& [a, b] : bridges.joined) joined.unite(a, b);
+  std::vector<int> size(tile_count + model.anchors.size(), 0),
+      main(*std::max_element(group.begin(), group.end()) + 1, -1);
+  for (int i = 0; i < tile_count; ++i) ++size[joined.find(i)];
+  for (int i = 0; i < tile_count; ++i) {
+    int& best = main[group[i]];
+    if (best < 0 || size[joined.find(i)] > size[best]) best = joined.find(i);
+  }
+  for (int i = 0; i < tile_count; ++i) {
+    if (joined.find(i) != main[group[i]]) model.loose_tiles.push_back(i);
+  }
+  for (std::size_t k = 0; k < model.anchors.size(); ++k) {
+    if (joined.find(tile_count + static_cast<int>(k)) != main[model.anchors[k].piece]) {
+      ++model.loose_anchors;
+    }
+  }
+}
+
+void add_bridges(PrintModel& model, const std::vector<PieceFootprint>& footprints) {
+  const Parameters& p = model.parameters;
+  const TileMesh& tiles = model.geometry.tiles;
+  const int count = tiles.tile_count();
+  const std::vector<int>& parts = model.division.part_of_tile;
+  const std::vector<int>& group = parts.empty() ? model.piece_of_tile : parts;
+  std::vector<Obstacle> bodies;
+  std::vector<Polygon> hull;
+  for (int i = 0; i < count; ++i) {
+    Obstacle body{moved(model.bumps.body[i], model.flat[i])};
+    for (const WallCap& cap : model.bumps.of_tile[i]) {
+      body.balls.emplace_back(model.flat[i](cap.centre), cap.radius);
+    }
+    std::vector<Vec2> seen;
+    for (const Vec3& q : body.body.points) seen.push_back(q.head<2>());
+    hull.push_back(convex_hull(seen));
+    bodies.push_back(std::move(body));
+  }
+  std::vector<Wish> wishes;
+  // Anchors first: they have fewer places. Each has one bridge before any has its second.
+  const double height = 2 * p.H_pin + p.H_body;
+  for (int piece = 0; piece < model.piece_count; ++piece) {
+    for (const Vec2& anchor : footprints[piece].anchors) {
+      add_anchor_wishes(model, piece, anchor, height, bodies, hull, wishes);
+    }
+  }
+  for (std::size_t w = 0, anchors = wishes.size(); w < anchors; ++w) {
+    wishes.push_back(wishes[w]);
+    wishes.back().most = bridges_of_anchor;
+  }
+  for (const Contact& contact : tiles.contacts) {
+    if (group[contact.tile[0]] != group[contact.tile[1]]) continue;
+    Wish wish{contact.tile[0], contact.tile[1], {}, 0};
+    const auto a = front_edge(tiles, model.poses, contact, 0),
+               b = front_edge(tiles, model.poses, contact, 1);
+    const Vec2 d = (left_of(a[0] - a[1]).normalized() + left_of(b[1] - b[0]).normalized());
+    for (int step = 0; step <= 16; ++step) {  // from the middle outwards, sides alternating
+      const double s = 0.5 + (step % 2 ? 0.025 : -0.025) * (step + step % 2);
+      const Vec2 middle = 0.5 * (a[0] + s * (a[1] - a[0]) + b[1] + s * (b[0] - b[1]));
+      wish.sight.push_back({middle, d.normalized()});
+    }
+    wishes.push_back(std::move(wish));
+  }
+  Bridges bridges = make_bridges(bodies, wishes, p.H_pin, p);
+  std::map<int, int> number;
+  for (std::size_t k = 0; k < bridges.bodies.size(); ++k) {
+    PrintBody& bridge = bridges.bodies[k];
+    bridge.piece = group[bridges.joined[k][0]];
+    bridge.name = numbered("Support P%d B%04d", bridge.piece + 1, ++number[bridge.piece]);
+    model.supports.push_back(std::move(bridge));
+  }
+  find_loose(model, bridges, group);
+}
+
+// Height above the notch, where a bridge breaks.
+ThinFeature notch(const Parameters& p) {
+  return {"", "notch of the bridge", std::min(thickness(p) - 2 * bridge_notch, bridge_width)};
+}
+
+}  // namespace
+
+SupportKind bridges() {
+  return {"bridges", "bridges (rigid)", "break the bridges from the {second}",
+          false,     add_bridges,       notch};
 }
 
 }  // namespace curveups

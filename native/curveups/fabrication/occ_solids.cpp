@@ -26,9 +26,7 @@
 #include <unordered_map>
 
 #include "curveups/core/checkpoint.hpp"
-#include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
-#include "curveups/fabrication/occ_errors.hpp"
 
 namespace curveups {
 namespace {
@@ -43,7 +41,7 @@ class SolidBuilder {
 
   TopoDS_Shape run() {
     builder_.MakeShell(shell_);
-    // Curved faces first: their circles go, reversed, into the planar faces.
+    // Curved faces first: planar faces take their circles, reversed.
     for (const SphericalCap& cap : body_.caps) add_cap(cap);
     for (const CylinderWall& wall : body_.cylinders) add_cylinder(wall);
     for (const PlanarFace& face : body_.faces) {
@@ -65,20 +63,20 @@ class SolidBuilder {
     return vertex_[i];
   }
 
-  // The edge from point i to point j, forward from the lower to the higher one.
+  // Edge from point i to point j; it runs from the lower to the higher number.
   TopoDS_Edge edge(int i, int j) {
     const int a = std::min(i, j), b = std::max(i, j);
-    TopoDS_Edge& made = edge_[static_cast<long long>(a) * body_.points.size() + b];
-    if (made.IsNull()) {
+    TopoDS_Edge& line = edge_[static_cast<long long>(a) * body_.points.size() + b];
+    if (line.IsNull()) {
       const Vec3 d = body_.points[b] - body_.points[a];
       const double length = d.norm();
-      builder_.MakeEdge(made, new Geom_Line(point(body_.points[a]), direction(d)),
+      builder_.MakeEdge(line, new Geom_Line(point(body_.points[a]), direction(d)),
                         Precision::Confusion());
-      builder_.Add(made, vertex(a).Oriented(TopAbs_FORWARD));
-      builder_.Add(made, vertex(b).Oriented(TopAbs_REVERSED));
-      builder_.Range(made, 0, length);
+      builder_.Add(line, vertex(a).Oriented(TopAbs_FORWARD));
+      builder_.Add(line, vertex(b).Oriented(TopAbs_REVERSED));
+      builder_.Range(line, 0, length);
     }
-    return TopoDS::Edge(made.Oriented(i < j ? TopAbs_FORWARD : TopAbs_REVERSED));
+    return TopoDS::Edge(line.Oriented(i < j ? TopAbs_FORWARD : TopAbs_REVERSED));
   }
 
   TopoDS_Wire wire(const BodyLoop& loop) {
@@ -107,7 +105,7 @@ class SolidBuilder {
     builder_.Add(shell_, out);
   }
 
-  // The circle of a curved face around a centre.
+  // Circular edge of a curved face, which OpenCASCADE made.
   TopoDS_Edge find_circle(const TopoDS_Face& face, int circle) const {
     const BodyCircle& c = body_.circles[circle];
     for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
@@ -123,13 +121,12 @@ class SolidBuilder {
                         "report this with the design file");
   }
 
-  // Keeps a circle of a curved face for the face that shares it, where it has the opposite
-  // orientation.
+  // Keeps a circle of a curved face, reversed, for the face that shares it.
   void keep_circle(const TopoDS_Face& face, int circle) {
     circle_[circle] = TopoDS::Edge(find_circle(face, circle).Reversed());
   }
 
-  // A cylinder's face with the circle of the cap above it in place of its own at this height.
+  // Replaces the circle of a cylinder's face at this height by the circle of the cap above it.
   TopoDS_Face under_cap(const TopoDS_Face& face, int circle, double height) {
     const TopoDS_Shape own = find_circle(face, circle).Oriented(TopAbs_FORWARD);
     const TopoDS_Edge kept = TopoDS::Edge(circle_[circle].Oriented(TopAbs_FORWARD));

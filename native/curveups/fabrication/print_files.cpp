@@ -1,46 +1,53 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/fabrication/print_files.hpp"
 
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <utility>
 
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
-#include "curveups/fabrication/mesh_files.hpp"
-#include "curveups/fabrication/step_file.hpp"
+#include "curveups/fabrication/file_formats.hpp"
 #include "curveups/fabrication/supports.hpp"
 #include "curveups/geometry/unite_meshes.hpp"
 
 namespace curveups {
 namespace {
 
-// Of each piece one shell: breakaway bridges reach into tiles and anchors.
+// Bridges, or all other bodies, of a piece in one mesh.
+TriangleMesh joined(const std::vector<BodyMesh>& bodies, int piece, bool bridges) {
+  std::vector<Vec3> points;
+  std::vector<std::array<int, 3>> triangles;
+  for (const BodyMesh& body : bodies) {
+    if (body.piece != piece || (body.kind == BodyKind::support) != bridges) continue;
+    const int first = static_cast<int>(points.size());
+    points.insert(points.end(), body.points.begin(), body.points.end());
+    for (const auto& [a, b, c] : body.triangles) {
+      triangles.push_back({a + first, b + first, c + first});
+    }
+  }
+  return {Eigen::Map<const Points3>(points.data()->data(), points.size(), 3),
+          Eigen::Map<const Triangles>(triangles.data()->data(), triangles.size(), 3)};
+}
+
+// One shell per piece: breakaway bridges reach into tiles and anchors.
 std::vector<BodyMesh> fused(const std::vector<BodyMesh>& bodies, const PrintModel& model) {
   checkpoint("uniting bodies");
   if (support_kind(model.parameters).soluble) {
     throw InvalidInput("tiles and a soluble slab are of two materials, which can't be one shell",
                        "set support to breakaway");
   }
-  std::vector<BodyMesh> out;
+  std::vector<BodyMesh> shells;
   for (int piece = 0; piece < model.piece_count; ++piece) {
-    std::vector<TriangleMesh> solids;
-    for (const BodyMesh& body : bodies) {
-      if (body.piece != piece) continue;
-      TriangleMesh solid{Points3(body.points.size(), 3), Triangles(body.triangles.size(), 3)};
-      for (Eigen::Index v = 0; v < solid.V.rows(); ++v) solid.V.row(v) = body.points[v];
-      for (Eigen::Index f = 0; f < solid.F.rows(); ++f) {
-        for (int t = 0; t < 3; ++t) solid.F(f, t) = body.triangles[f][t];
-      }
-      solids.push_back(std::move(solid));
-    }
-    const TriangleMesh united = unite_meshes(solids);
-    BodyMesh shell{model.name, BodyKind::tile, piece, {}, {}};
-    for (Eigen::Index v = 0; v < united.V.rows(); ++v) shell.points.push_back(united.V.row(v));
-    for (Eigen::Index f = 0; f < united.F.rows(); ++f) {
-      shell.triangles.push_back({united.F(f, 0), united.F(f, 1), united.F(f, 2)});
-    }
-    out.push_back(std::move(shell));
+    const TriangleMesh united =
+        unite_meshes(joined(bodies, piece, false), joined(bodies, piece, true));
+    BodyMesh& shell = shells.emplace_back(BodyMesh{model.name, BodyKind::tile, piece, {}, {}});
+    for (const auto p : united.V.rowwise()) shell.points.emplace_back(p);
+    for (const auto f : united.F.rowwise()) shell.triangles.push_back({f[0], f[1], f[2]});
   }
-  return out;
+  return shells;
 }
 
 std::vector<BodyMesh> meshes_of(const PrintModel& model, const std::string& kind) {
@@ -52,6 +59,21 @@ std::vector<BodyMesh> meshes_of(const PrintModel& model, const std::string& kind
 }
 
 }  // namespace
+
+void write_bytes(const std::string& path, const std::string& bytes) {
+  std::ofstream file(path, std::ios::binary);
+  const bool opened = file.is_open();
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  file.close();
+  if (file) return;
+  const int reason = errno;
+  std::error_code ignored;
+  if (opened && std::filesystem::is_regular_file(path, ignored)) {
+    std::filesystem::remove(path, ignored);
+  }
+  throw IoError("can't write " + path + ": " + std::strerror(reason),
+                "check that the folder exists, is writable and that the disk has room");
+}
 
 void write_step(const PrintModel& model, const std::string& kind, const std::string& path) {
   write_step(model.bodies(kind), model.name + "-" + kind, path);

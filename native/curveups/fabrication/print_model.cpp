@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <set>
 
 #include "curveups/bodies/anchors.hpp"
@@ -13,17 +14,15 @@
 #include "curveups/core/tolerances.hpp"
 #include "curveups/design/pins.hpp"
 #include "curveups/design/print_constants.hpp"
-#include "curveups/fabrication/bridges.hpp"
-#include "curveups/fabrication/print_parts.hpp"
 #include "curveups/fabrication/supports.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
 
 namespace curveups {
 namespace {
 
-constexpr double widest_print = 1e4;  // mm; anchors and slabs of wider ones would be endless work
+constexpr double widest_print = 1e4;  // mm: anchors and slabs of wider ones would take hours
 
-// Turns the print over, about the x axis, between the bed and its height; twice is nothing.
+// Turns the print over about the x axis, between the bed and its height.
 RigidMotion turned_over(double height) {
   RigidMotion motion;
   motion.R = Vec3(1, -1, -1).asDiagonal();
@@ -42,11 +41,13 @@ class Builder {
   PrintModel run() {
     checkpoint("building tiles", 0.1);
     const int count = tiles().tile_count();
-    find_pieces();
+    model_.piece_of_tile = pieces_of_faces(tiles().topology, tiles().cut);
+    model_.piece_count =
+        1 + *std::max_element(model_.piece_of_tile.begin(), model_.piece_of_tile.end());
     for (int i = 0; i < count; ++i) {
       model_.flat.push_back(flat_motion(model_.poses, i, p().H_pin + p().H_body));
     }
-    model_.tiles = flat_tiles(model_, model_.bumps.body, model_.bumps.of_tile);
+    make_tiles();
     footprints_.resize(model_.piece_count);
     for (int i = 0; i < count; ++i) {
       checkpoint();
@@ -88,11 +89,15 @@ class Builder {
     return {&model_.tiles, &model_.supports, &model_.anchors};
   }
 
-  void find_pieces() {
-    model_.piece_of_tile = pieces_of_faces(tiles().topology, tiles().cut);
-    for (int piece : model_.piece_of_tile) {
-      model_.piece_count = std::max(model_.piece_count, piece + 1);
-    }
+  void make_tiles() {
+    model_.tiles.resize(tiles().tile_count());
+    parallel_for(tiles().tile_count(), [&](int i) {
+      PrintBody& tile = model_.tiles[i];
+      tile = make_tile_print(tiles(), model_.bumps.body[i], model_.bumps.of_tile[i],
+                             model_.q.row(i).data(), i, p().H_pin);
+      tile.piece = model_.piece_of_tile[i];
+      move(tile, model_.flat[i]);
+    });
   }
 
   void number_parts() {
@@ -130,7 +135,7 @@ class Builder {
     }
   }
 
-  // After the support, which is to fill no hole: what is printed above its slab stays open.
+  // After the support, which must not fill the holes.
   void bore_joints() {
     model_.joints = plan_joint_holes(model_.geometry, model_.bumps, model_.q, p());
     for (int i = 0; i < tiles().tile_count(); ++i) {
@@ -139,7 +144,7 @@ class Builder {
     }
   }
 
-  // From the pin on the bed to the farthest corner of the face above it.
+  // Distance from the pin on the bed to the farthest corner of the face above it.
   double overhang(int tile) const {
     const Side bed = front_down() ? Side::front : Side::back;
     const auto corners = pin_corners(tiles(), tile, bed, model_.q.row(tile).data());
@@ -196,13 +201,9 @@ class Builder {
       for (PrintBody& body : *bodies) move(body, shift);
     }
     for (RigidMotion& motion : model_.flat) motion.t += shift.t;
-    for (auto& outline : model_.outlines) {
+    for (auto& outline : model_.outlines) {  // of soluble slabs, which have their front side up
       for (Polygon& loop : outline) {
-        for (Vec2& q : loop) {
-          if (front_down()) q.y() = -q.y();
-          q += shift.t.head<2>();
-        }
-        if (front_down()) std::reverse(loop.begin(), loop.end());
+        for (Vec2& q : loop) q += shift.t.head<2>();
       }
     }
     model_.box.low += shift.t;
@@ -226,7 +227,18 @@ class Builder {
   std::vector<PieceFootprint> footprints_;
 };
 
+PrintModel without_solids(PrintModel model) {
+  model.solids = std::make_shared<KeptSolids>();
+  return model;
+}
+
 }  // namespace
+
+std::string numbered(const char* format, int a, int b) {
+  char name[48];
+  std::snprintf(name, sizeof name, format, a, b);
+  return name;
+}
 
 PrintModel make_print_model(const Design& design, const Division& division) {
   if (!division.part_of_tile.empty()) {
@@ -267,8 +279,7 @@ PrintModel only_pieces(const PrintModel& model, const std::map<int, RigidMotion>
       throw InvalidInput("a place beyond 10 m", "give places in mm");
     }
   }
-  PrintModel out = model;
-  out.solids = std::make_shared<KeptSolids>();
+  PrintModel out = without_solids(model);
   out.box = {};
   for (auto* bodies : {&out.tiles, &out.supports, &out.anchors}) {
     bodies->erase(std::remove_if(bodies->begin(), bodies->end(),
@@ -285,8 +296,7 @@ PrintModel only_pieces(const PrintModel& model, const std::map<int, RigidMotion>
 }
 
 PrintModel only_tiles(const PrintModel& model, const std::vector<int>& rows) {
-  PrintModel out = model;
-  out.solids = std::make_shared<KeptSolids>();
+  PrintModel out = without_solids(model);
   out.supports.clear();
   out.anchors.clear();
   out.loose_anchors = 0;
@@ -300,8 +310,7 @@ PrintModel only_tiles(const PrintModel& model, const std::vector<int>& rows) {
 }
 
 PrintModel move_actuated(const PrintModel& model, const std::vector<RigidMotion>& motions) {
-  PrintModel out = model;
-  out.solids = std::make_shared<KeptSolids>();
+  PrintModel out = without_solids(model);
   for (std::size_t i = 0; i < motions.size(); ++i) move(out.actuated[i], motions[i]);
   return out;
 }
@@ -328,8 +337,8 @@ GluedAreas glued_areas(const PrintModel& model, Side side) {
 
 std::vector<const PrintBody*> PrintModel::bodies(const std::string& kind) const {
   std::vector<const PrintBody*> out;
-  const auto append = [&](const char* one, const std::vector<PrintBody>& from) {
-    if (kind != one && (kind != "print" || &from == &actuated)) return;
+  const auto append = [&](const char* own, const std::vector<PrintBody>& from) {
+    if (kind != own && (kind != "print" || &from == &actuated)) return;
     for (const PrintBody& body : from) out.push_back(&body);
   };
   append("tiles", tiles);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Everything that is printed, in print coordinates: front side up, the back pins' feet at z = 0,
-// the back faces at H_pin, the front faces at H_pin + H_body, the pin tops at 2 H_pin + H_body, or
-// all of that turned over about the x axis (orientation front-down); the box of all bodies centred
-// on the z axis.
+// Everything that is printed, in print coordinates. Front side up: the back pins' feet at z = 0,
+// the back faces at H_pin, the front faces at H_pin + H_body, the pin tops at 2 H_pin + H_body;
+// with orientation front-down all of that turned over about the x axis. The box of all bodies is
+// centred on the z axis.
 #pragma once
 
 #include <map>
@@ -13,32 +13,31 @@
 
 #include "curveups/bodies/joint_holes.hpp"
 #include "curveups/bodies/print_body.hpp"
-#include "curveups/bodies/tile_bodies.hpp"
+#include "curveups/bodies/tile_print.hpp"
 #include "curveups/geometry/convex_polygon.hpp"
 
-class TopoDS_Shape;  // of OpenCASCADE: whole only where it is used
+class TopoDS_Shape;
 
 namespace curveups {
 
-// Solids by kind, made when they are first asked for, by whichever thread comes first.
+// Solids by kind, built when first needed (print_solids.hpp).
 struct KeptSolids {
-  std::recursive_timed_mutex building;
+  std::recursive_mutex building;
   std::map<std::string, std::shared_ptr<const TopoDS_Shape>> by_kind;
 };
 
-// The narrowest place of a body, mm, and what it is.
+// Narrowest place of a body, mm.
 struct ThinFeature {
   std::string body, what;
   double size;
   int tile = -1;  // PrintBody::tile
 };
 
-// How a print is divided among beds: along gaps between tiles, and within what a bed has room for.
+// Division of a print among beds: along gaps between tiles, and at the edges of a bed.
 struct Division {
-  std::vector<int> part_of_tile;  // by rows of F; empty: pieces are not divided
+  std::vector<int> part_of_tile;  // per row of F; empty: pieces are not divided
   double opening = 0;             // mm between slabs of two parts
-  Polygon
-      region;  // of the layout's plane, convex: anchors beyond it go, slabs end at it; empty: all
+  Polygon region;  // convex, in the layout's plane: anchors beyond are left out, slabs end there
 };
 
 struct PrintModel : TileBodies {
@@ -46,52 +45,51 @@ struct PrintModel : TileBodies {
   int piece_count = 0;
   std::vector<int> piece_of_tile;
   std::vector<RigidMotion> flat;    // tile frame to print coordinates
-  std::vector<PrintBody> tiles;     // in print coordinates, T00001 first
+  std::vector<PrintBody> tiles;     // T00001 first
   std::vector<PrintBody> supports;  // "Support P1" (slabs) or "Support P1 B0001" (bridges)
   std::vector<PrintBody> anchors;   // "Anchor P1 A001"
-  // The tiles in the target shape, without bumps and recesses, so that walls meet: world
-  // coordinates.
+  // Tiles in the target shape, in world coordinates, without bumps and recesses: walls meet.
   std::vector<PrintBody> actuated;
-  // What no support holds: breakaway, what is not joined to the rest of its piece; soluble, pieces
+  // Bodies without support. Breakaway: not joined to the rest of their piece. Soluble: in a piece
   // whose bodies run into one another, so that no slab fills the gaps between them.
   std::vector<int> loose_tiles;
   int loose_anchors = 0;
   JointHoles joints;  // through `tiles` and `actuated`
   Division division;
-  std::vector<std::vector<Polygon>> outlines;  // of each slab, in print coordinates, by supports
-  // Per tile how far, mm, its body reaches out level beyond the pin that it stands on.
-  std::vector<double> overhang;
-  std::vector<ThinFeature> thin;  // per body that has a size of its own, the narrowest place
+  std::vector<std::vector<Polygon>> outlines;  // per slab, in print coordinates
+  std::vector<double> overhang;   // per tile: level reach beyond the pin that it stands on, mm
+  std::vector<ThinFeature> thin;  // per body with sizes of its own
   Box box;
+  std::shared_ptr<KeptSolids> solids = std::make_shared<KeptSolids>();
 
-  std::shared_ptr<KeptSolids> solids = std::make_shared<KeptSolids>();  // see print_solids.hpp
-
-  // The bodies of a kind: "tiles", "support", "anchors", "print" (these three) or "actuated". Any
-  // other throws InvalidInput.
+  // Bodies of a kind: "tiles", "support", "anchors", "print" (these three) or "actuated". Throws
+  // InvalidInput for any other.
   std::vector<const PrintBody*> bodies(const std::string& kind) const;
-  // mm3, by the bodies' own formulas.
-  double volume(const std::string& kind) const;
+  double volume(const std::string& kind) const;  // mm3
 };
 
-// What lies in the plane of the pin tops on one side, mm2: what glue on that side can take.
+// Areas in the plane of the pin tops on one side, where glue holds, mm2.
 struct GluedAreas {
   double pins = 0, anchors = 0, support = 0;
 };
 GluedAreas glued_areas(const PrintModel& model, Side side);
 
-// Throws what make_tile_bodies throws; InfeasibleDesign where pieces are too near to each other for
-// their anchors and slabs, or the layout is wider than 10 m; SolverFailure where a slab's outline
-// falls apart.
-// division: bodies then have their part for their piece, anchors that of the tile that is nearest.
+// Formats a body's name, such as "Anchor P%d A%03d".
+std::string numbered(const char* format, int a, int b = 0);
+
+// With a division, bodies have their part for their piece; anchors have the part of the nearest
+// tile. Throws what make_tile_bodies throws; InvalidInput for a division that is none;
+// InfeasibleDesign where pieces are too near to each other for their anchors and slabs, or the
+// layout is wider than 10 m; SolverFailure where a slab's outline falls apart.
 PrintModel make_print_model(const Design& design, const Division& division = {});
 
-// These tiles (rows of F) alone, at their places, each once and in the order of the rows.
+// Keeps these tiles (rows of F) alone, each once and in the order of the rows.
 PrintModel only_tiles(const PrintModel& model, const std::vector<int>& rows);
 
-// These pieces (or parts) alone, each once, moved within the plane.
+// Keeps these pieces (or parts) alone, moved within the plane.
 PrintModel only_pieces(const PrintModel& model, const std::map<int, RigidMotion>& motions);
 
-// The same with the actuated tiles moved, one motion a tile.
+// Moves the actuated tiles, one motion a tile.
 PrintModel move_actuated(const PrintModel& model, const std::vector<RigidMotion>& motions);
 
 }  // namespace curveups

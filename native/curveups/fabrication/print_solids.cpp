@@ -4,15 +4,11 @@
 #include <BinTools.hxx>
 #include <BinTools_ShapeSet.hxx>
 #include <TopoDS_Iterator.hxx>
-#include <chrono>
 #include <fstream>
 #include <mutex>
 
-#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
-#include "curveups/fabrication/occ_errors.hpp"
 #include "curveups/fabrication/occ_solids.hpp"
-#include "curveups/fabrication/solid_checks.hpp"
 
 namespace curveups {
 namespace {
@@ -27,11 +23,9 @@ std::vector<TopoDS_Shape> parts_of(const TopoDS_Shape& compound) {
 
 std::shared_ptr<const TopoDS_Shape> solids_of(const PrintModel& model, const std::string& kind) {
   KeptSolids& kept = *model.solids;
-  std::unique_lock lock(kept.building, std::defer_lock);
-  while (!lock.try_lock_for(std::chrono::milliseconds(50))) checkpoint();
-  if (const auto found = kept.by_kind.find(kind); found != kept.by_kind.end()) {
-    return found->second;
-  }
+  const std::lock_guard<std::recursive_mutex> lock(kept.building);
+  std::shared_ptr<const TopoDS_Shape>& shape = kept.by_kind[kind];
+  if (shape) return shape;
   std::vector<TopoDS_Shape> solids;
   if (kind == "print") {
     for (const char* part : {"tiles", "support", "anchors"}) {
@@ -42,11 +36,11 @@ std::shared_ptr<const TopoDS_Shape> solids_of(const PrintModel& model, const std
   } else {
     solids = make_solids(model.bodies(kind));
   }
-  return kept.by_kind[kind] = std::make_shared<TopoDS_Shape>(make_compound(solids));
+  return shape = std::make_shared<TopoDS_Shape>(make_compound(solids));
 }
 
 void write_binary_brep(const TopoDS_Shape& shape, const std::string& path) {
-  // The set of shapes, then which of them, where and how.
+  // The format: a set of shapes, then the number, place and orientation of this one.
   BinTools_ShapeSet set;
   const int number = set.Add(shape), place = set.Locations().Index(shape.Location()),
             orientation = static_cast<int>(shape.Orientation());

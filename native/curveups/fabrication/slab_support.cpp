@@ -1,23 +1,31 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "curveups/bodies/outline.hpp"
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/design/print_constants.hpp"
-#include "curveups/fabrication/print_parts.hpp"
 #include "curveups/fabrication/slab.hpp"
 #include "curveups/fabrication/supports.hpp"
 
 namespace curveups {
 namespace {
 
-// From the front pin tops down to the slab, mm: keeps the glue on the pins away from it.
-constexpr double support_drop = 0.3;
+constexpr double support_drop = 0.3;    // of the slab below the front pin tops and their glue, mm
 constexpr double slab_deviation = 0.1;  // of the chords of the outline's arcs, mm
 
-// No other piece's tiles or slab (`outer`, of the pieces before) may be where this piece's slab is.
+// Least distance of a corner of one of two convex polygons from the other.
+double least_distance(const Polygon& a, const Polygon& b) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vec2& q : a) least = std::min(least, distance(b, q));
+  for (const Vec2& q : b) least = std::min(least, distance(a, q));
+  return least;
+}
+
+// Throws InfeasibleDesign where the slab (`loop`) meets another piece's tiles, or the slab of an
+// earlier piece (`outer`).
 void refuse_strangers(const PrintModel& model, int piece, const Polygon& loop,
                       const std::vector<PieceFootprint>& footprints,
                       const std::vector<Polygon>& outer) {
@@ -43,26 +51,19 @@ void refuse_strangers(const PrintModel& model, int piece, const Polygon& loop,
   }
 }
 
-void leave_loose(PrintModel& model, int piece) {
-  for (std::size_t tile = 0; tile < model.piece_of_tile.size(); ++tile) {
-    if (model.piece_of_tile[tile] == piece) model.loose_tiles.push_back(static_cast<int>(tile));
-  }
-}
-
-// What a slab is made from: shapes whose union is its outline, and what it surrounds.
 struct SlabContent {
-  std::vector<OutlineShape> shapes;
+  std::vector<OutlineShape> shapes;  // their union is the slab's outline
   std::vector<PrintBody> inside;
-  std::vector<Vec2> bores;  // axes of the anchors that stand in it
+  std::vector<Vec2> bores;  // axes of the anchors in the slab
 };
 
-// Of a piece, or of one of its parts: `has` says of a tile whether it belongs there. Anchors belong
-// to the tile that is nearest.
+// Content of a piece's slab, or of a part's. has(tile): whether a tile belongs to the part. Anchors
+// belong to the nearest tile.
 template <class Has>
 SlabContent content_of(const PrintModel& model, const PieceFootprint& footprint, const Has& has) {
   const Parameters& p = model.parameters;
   SlabContent out;
-  // Up to the anchors' axes, so that the slab holds them firmly.
+  // To the anchors' axes, so that the slab holds them firmly.
   const double reach = footprint.anchors.empty()
                            ? support_margin
                            : std::max(support_margin, anchor_distance + p.anchor_radius);
@@ -84,8 +85,8 @@ SlabContent content_of(const PrintModel& model, const PieceFootprint& footprint,
   return out;
 }
 
-// What other parts of a piece need of the outline of a part: their tiles with half of the gap to
-// the part's own, and their anchors as they are held.
+// Shapes that a part's outline leaves to the other parts of its piece: their tiles with half of the
+// gap to its own, and their anchors.
 template <class Has>
 std::vector<OutlineShape> others_of(const PrintModel& model, const PieceFootprint& footprint,
                                     const Has& has) {
@@ -130,7 +131,7 @@ void add_slabs(PrintModel& model, const std::vector<PieceFootprint>& footprints)
       parts.clear();
       for (int row : footprint.rows) parts.insert(division.part_of_tile[row]);
     }
-    std::vector<Polygon> before;  // slabs of earlier parts of this piece
+    std::vector<Polygon> before;  // outlines of earlier parts of this piece
     for (const int part : parts) {
       const auto has = [&](int row) {
         return parts.size() == 1 || division.part_of_tile[row] == part;
@@ -155,7 +156,7 @@ void add_slabs(PrintModel& model, const std::vector<PieceFootprint>& footprints)
         throw SolverFailure("the support of piece " + std::to_string(piece + 1) + " falls apart",
                             "compute the layout again, or set support to breakaway");
       }
-      for (std::size_t k = 0; k < footprint.tiles.size(); ++k) {  // what hangs by a neck
+      for (std::size_t k = 0; k < footprint.tiles.size(); ++k) {  // beyond a neck that was cut off
         if (!has(footprint.rows[k]) || contains(loops[0], footprint.tiles[k][0])) continue;
         model.loose_tiles.push_back(footprint.rows[k]);
       }
@@ -168,8 +169,9 @@ void add_slabs(PrintModel& model, const std::vector<PieceFootprint>& footprints)
         slab.piece = part;
         model.supports.push_back(std::move(slab));
         model.outlines.push_back(std::move(loops));
-      } catch (const TopologyError&) {  // a layout whose bodies run into one another
-        leave_loose(model, piece);
+      } catch (const TopologyError&) {  // bodies of the layout run into one another
+        model.loose_tiles.insert(model.loose_tiles.end(), footprint.rows.begin(),
+                                 footprint.rows.end());
         model.loose_anchors += static_cast<int>(content.bores.size());
       }
     }

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/fabrication/step_file.hpp"
-
 #include <array>
 
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/tolerances.hpp"
-#include "curveups/fabrication/palette.hpp"
-#include "curveups/fabrication/step_solid.hpp"
-#include "curveups/fabrication/write_bytes.hpp"
+#include "curveups/fabrication/file_formats.hpp"
+#include "curveups/fabrication/step_text.hpp"
 
 namespace curveups {
 namespace {
 
 constexpr std::size_t bodies_at_once = 64;  // between two calls of the progress sink
 
-// The products around the solids.
+// Products of an assembly, around the solids.
 class Products {
  public:
   Products(StepText& step, const std::string& title) : step_(step), title_(title) {
@@ -28,8 +25,7 @@ class Products {
     add_units();
     part_space_ = add_space("parts");
     part_frame_ = add_frame();
-    // The place in the assembly that a part's frame goes to: bodies stand where they are. What a
-    // transformation relates are two spaces, not one with itself (the schema's rule WR1).
+    // Identity transformation of all parts, between two spaces as the schema's rule WR1 requires.
     const StepId space = add_space("assembly"), frame = add_frame();
     stay_ = step_.add("ITEM_DEFINED_TRANSFORMATION('','',", part_frame_, ",", frame, ")");
     const std::string name = step_string(title);
@@ -37,7 +33,6 @@ class Products {
     root_ = add_product(name, name, root_shape_);
   }
 
-  // A part of the assembly. Names of two bodies of a file differ, so that ids do, too.
   void add_part(const PrintBody& body) {
     const StepId solid = add_solid(body);
     const std::string name = step_string(body.name);
@@ -76,7 +71,7 @@ class Products {
     const StepId angle = step_.add("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))");
     const StepId solid = step_.add("(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())");
     units_ = {length, angle, solid};
-    // Corners may lie that far off the planes that meet there.
+    // Distance of corners from the planes that meet there.
     accuracy_ = step_.add("UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(", tolerance::snap, "),",
                           length, ",'distance_accuracy_value','confusion accuracy')");
   }
@@ -106,8 +101,8 @@ class Products {
   }
 
   StepId style(BodyKind kind) {
-    StepId& made = style_[static_cast<int>(kind)];
-    if (made != StepId{}) return made;
+    StepId& assignment = style_[static_cast<int>(kind)];
+    if (assignment != StepId{}) return assignment;
     const Colour c = body_colour(kind);
     const StepId colour =
         step_.add("COLOUR_RGB('',", c.red / 255.0, ",", c.green / 255.0, ",", c.blue / 255.0, ")");
@@ -116,7 +111,7 @@ class Products {
     const StepId area = step_.add("SURFACE_STYLE_FILL_AREA(", fill, ")");
     const StepId side = step_.add("SURFACE_SIDE_STYLE('',(", area, "))");
     const StepId usage = step_.add("SURFACE_STYLE_USAGE(.BOTH.,", side, ")");
-    return made = step_.add("PRESENTATION_STYLE_ASSIGNMENT((", usage, "))");
+    return assignment = step_.add("PRESENTATION_STYLE_ASSIGNMENT((", usage, "))");
   }
 
   StepText& step_;

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/fabrication/step_solid.hpp"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -9,12 +7,13 @@
 #include <unordered_map>
 
 #include "curveups/core/checkpoint.hpp"
+#include "curveups/fabrication/step_text.hpp"
 
 namespace curveups {
 namespace {
 
-// Far above the rounding of unit vectors; over the 500 mm of a slab it moves nothing by more than a
-// thousandth of the accuracy that files declare.
+// Far above the rounding of unit vectors. Over the 500 mm of a slab it is less than a thousandth of
+// the accuracy that files declare.
 constexpr double direction_step = 1e-11;
 
 class SolidWriter {
@@ -23,7 +22,7 @@ class SolidWriter {
       : step_(step), body_(body), vertex_(body.points.size()), circle_(body.circles.size()) {}
 
   StepId run() {
-    // Curved faces first: they decide which way round their circles run.
+    // Curved faces first: they determine the directions of their circles.
     for (const SphericalCap& cap : body_.caps) add_cap(cap);
     for (const CylinderWall& wall : body_.cylinders) add_cylinder(wall);
     for (const PlanarFace& face : body_.faces) {
@@ -47,20 +46,20 @@ class SolidWriter {
 
   StepId point(const Vec3& p) { return step_.add("CARTESIAN_POINT('',", p, ")"); }
 
-  // Directions that differ by rounding alone are one: most edges of a body are parallel to others.
+  // Directions that differ by rounding alone share an entity: most edges are parallel to others.
   StepId direction(const Vec3& d) {
     std::array<long long, 3> key;
     for (int k = 0; k < 3; ++k) key[k] = std::llround(d[k] / direction_step);
-    StepId& made = direction_[key];
-    if (made == StepId{}) made = step_.add("DIRECTION('',", d, ")");
-    return made;
+    StepId& id = direction_[key];
+    if (id == StepId{}) id = step_.add("DIRECTION('',", d, ")");
+    return id;
   }
 
   StepId vector(const Vec3& d) {
     const StepId along = direction(d);
-    StepId& made = vector_[static_cast<int>(along)];
-    if (made == StepId{}) made = step_.add("VECTOR('',", along, ",1.)");
-    return made;
+    StepId& id = vector_[static_cast<int>(along)];
+    if (id == StepId{}) id = step_.add("VECTOR('',", along, ",1.)");
+    return id;
   }
 
   StepId placement(StepId origin, const Vec3& axis, const Vec3& x) {
@@ -69,10 +68,8 @@ class SolidWriter {
   }
 
   Vertex make_vertex(const Vec3& p) {
-    Vertex made;
-    made.point = point(p);
-    made.vertex = step_.add("VERTEX_POINT('',", made.point, ")");
-    return made;
+    const StepId place = point(p);
+    return {place, step_.add("VERTEX_POINT('',", place, ")")};
   }
 
   const Vertex& vertex(int i) {
@@ -97,22 +94,22 @@ class SolidWriter {
   // The edge from point i to point j; it runs from the lower to the higher one.
   StepId oriented_edge(int i, int j) {
     const int a = std::min(i, j), b = std::max(i, j);
-    StepId& made = edge_[static_cast<long long>(a) * body_.points.size() + b];
-    if (made == StepId{}) {
-      made = line_edge(vertex(a), vertex(b), body_.points[b] - body_.points[a]);
+    StepId& id = edge_[static_cast<long long>(a) * body_.points.size() + b];
+    if (id == StepId{}) {
+      id = line_edge(vertex(a), vertex(b), body_.points[b] - body_.points[a]);
     }
-    return oriented(made, i < j);
+    return oriented(id, i < j);
   }
 
   const Circle& make_circle(int i, const Vec3& axis) {
     const BodyCircle& c = body_.circles[i];
-    Circle& made = circle_[i];
-    if (made.edge != StepId{}) return made;  // of the cap on a cylinder
-    made.axis = axis;
-    made.x = axis.unitOrthogonal();
-    made.start = make_vertex(c.centre + c.radius * made.x);
-    made.edge = circle_edge(made.start, made.start, c.centre, axis, made.x, c.radius);
-    return made;
+    Circle& circle = circle_[i];
+    if (circle.edge != StepId{}) return circle;  // of the cap on a cylinder
+    circle.axis = axis;
+    circle.x = axis.unitOrthogonal();
+    circle.start = make_vertex(c.centre + c.radius * circle.x);
+    circle.edge = circle_edge(circle.start, circle.start, c.centre, axis, circle.x, c.radius);
+    return circle;
   }
 
   StepId circle_edge(const Vertex& from, const Vertex& to, const Vec3& centre, const Vec3& axis,
@@ -134,8 +131,8 @@ class SolidWriter {
     pending_.clear();
   }
 
-  // Every face after one that it shares an edge with: readers put shells together face by face, and
-  // OpenCASCADE's starts over from the first one left: minutes for a slab in any other order.
+  // Breadth-first order, each face after one that shares an edge: OpenCASCADE's reader, which
+  // builds shells face by face, takes minutes for a slab in any other order.
   std::vector<StepId> in_connected_order() const {
     std::vector<char> seen(faces_.size(), 0);
     std::vector<int> order;

@@ -17,7 +17,7 @@ std::string hexadecimal(unsigned code) {
   return (code > 0xFFFF ? "\\X4\\" : "\\X2\\") + std::string(digits) + "\\X0\\";
 }
 
-// The code point at text[at], which moves behind it; what is no UTF-8 stands for itself.
+// Returns the code point at text[at] and moves `at` behind it; invalid UTF-8 gives its bytes.
 unsigned next_code_point(const std::string& text, std::size_t& at) {
   const unsigned char first = text[at++];
   const int more = first >= 0xF0 ? 3 : first >= 0xE0 ? 2 : first >= 0xC0 ? 1 : 0;
@@ -58,7 +58,7 @@ void StepText::append(double value) {
     throw SolverFailure("a coordinate of a solid is not finite",
                         "report this with the design file");
   }
-  // The shortest digits that read back the same, with the point that STEP wants.
+  // Shortest digits that read back the same, with the decimal point that STEP requires.
   char digits[40];
   char* const end = std::to_chars(digits, digits + sizeof digits, value).ptr;
   char* const exponent = std::find(digits, end, 'e');

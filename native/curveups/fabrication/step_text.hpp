@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Text of a STEP file (ISO 10303-21), entity after entity.
+// Text of STEP files (ISO 10303-21) and boundary representations of bodies.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "curveups/core/types.hpp"
+#include "curveups/bodies/print_body.hpp"
 
 namespace curveups {
 
 // The number of an entity.
 enum class StepId : int {};
 
-// Numbers have all the digits that doubles need to read back the same. Throws SolverFailure for a
-// number that is not finite.
+// Appends entities. Numbers read back the same. Throws SolverFailure for a number that is not
+// finite.
 class StepText {
  public:
-  // Begins with the header; AP214. No date.
+  // Writes the header of AP214, without a date.
   explicit StepText(const std::string& title);
 
-  // One entity put together from its parts: text as it is, numbers, ids, points and lists of ids.
+  // Adds an entity from its parts: text, numbers, ids, points and lists of ids.
   template <class... Parts>
   StepId add(const Parts&... parts) {
     const StepId id{++count_};
@@ -30,7 +30,7 @@ class StepText {
     return id;
   }
 
-  // The whole file; nothing can be added after it.
+  // Ends the file and returns all of it.
   const std::string& finish();
 
  private:
@@ -45,8 +45,11 @@ class StepText {
   int count_ = 0;
 };
 
-// A text as a STEP string, quotes included: UTF-8 outside ASCII is encoded, control characters are
-// left out.
+// Quotes a text as a STEP string. UTF-8 outside ASCII is encoded; control characters are left out.
 std::string step_string(const std::string& utf8);
+
+// Adds the body's faces with shared edges and vertices; returns its manifold_solid_brep. Caps and
+// cylinders are spherical and cylindrical surfaces with seams.
+StepId add_step_solid(StepText& step, const PrintBody& body);
 
 }  // namespace curveups

@@ -5,8 +5,7 @@
 #include <cstring>
 
 #include "curveups/core/checkpoint.hpp"
-#include "curveups/fabrication/mesh_files.hpp"
-#include "curveups/fabrication/write_bytes.hpp"
+#include "curveups/fabrication/file_formats.hpp"
 
 namespace curveups {
 namespace {

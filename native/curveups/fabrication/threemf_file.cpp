@@ -11,9 +11,7 @@
 #include "Model/COM/NMR_DLLInterfaces.h"
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
-#include "curveups/fabrication/mesh_files.hpp"
-#include "curveups/fabrication/palette.hpp"
-#include "curveups/fabrication/write_bytes.hpp"
+#include "curveups/fabrication/file_formats.hpp"
 
 namespace curveups {
 namespace {
@@ -35,17 +33,17 @@ class Held {
   T* pointer_ = nullptr;
 };
 
-// lib3mf answers with COM's HRESULT: negative is a failure.
-void require(long result, const std::string& what) {
+// Throws SolverFailure for a negative HRESULT, which is a failure.
+void require(long result) {
   if (static_cast<std::int32_t>(result) >= 0) return;
   char code[16];
   std::snprintf(code, sizeof code, "0x%08x", static_cast<unsigned>(result));
-  throw SolverFailure("lib3mf could not " + what + " (" + code + ")",
+  throw SolverFailure(std::string("lib3mf could not write the print (") + code + ")",
                       "report this with the design file");
 }
 
-// Takes the archive as lib3mf writes it: asking for its size first, as writing to a buffer needs,
-// would make it twice.
+// Receives the archive from lib3mf. Writing to a buffer would need the size first, and so compress
+// everything twice.
 struct Archive {
   std::string bytes;
   std::size_t at = 0;
@@ -63,8 +61,7 @@ struct Archive {
   }
 };
 
-// lib3mf's frames lie between this and who asked for the file: it is told to end, and has no more
-// to write to than it is used to.
+// Progress callback: no exception may pass through lib3mf.
 bool ask_to_go_on(int, NMR::ProgressIdentifier, void* cancelled) {
   try {
     checkpoint();
@@ -74,26 +71,21 @@ bool ask_to_go_on(int, NMR::ProgressIdentifier, void* cancelled) {
   return !*static_cast<bool*>(cancelled);
 }
 
-// lib3mf would draw random ones; files must be the same every time.
+// Replaces lib3mf's random numbers: the same meshes give the same bytes.
 std::string uuid(unsigned kind, unsigned number) {
   char text[40];
   std::snprintf(text, sizeof text, "%08x-0000-4000-8000-%012x", kind, number);
   return text;
 }
 
-// Text between tags, which lib3mf writes as it is given (attributes it escapes).
+// Escapes text between tags; lib3mf does so for attributes alone.
 std::string escaped(const std::string& text) {
   std::string out;
   for (const char letter : text) {
-    if (letter == '&') {
-      out += "&amp;";
-    } else if (letter == '<') {
-      out += "&lt;";
-    } else if (letter == '>') {
-      out += "&gt;";
-    } else {
-      out += letter;
-    }
+    out += letter == '&'   ? "&amp;"
+           : letter == '<' ? "&lt;"
+           : letter == '>' ? "&gt;"
+                           : std::string(1, letter);
   }
   return out;
 }
@@ -109,9 +101,8 @@ void append(std::string& bytes, std::size_t value, int size) {
   for (int k = 0; k < size; ++k) bytes.push_back(static_cast<char>(value >> 8 * k));
 }
 
-// lib3mf writes ZIP64 whatever the size, which some readers take for an empty scene. The same
-// compressed members in a plain ZIP, all with the earliest date that ZIP knows, 1980-01-01 00:00:
-// lib3mf writes none or the present time.
+// Turns lib3mf's archive, which is ZIP64 whatever its size and an empty scene to some readers, into
+// a plain ZIP of the same compressed members, all dated 1980-01-01 00:00, the earliest date of ZIP.
 std::string plain_zip(const std::string& zip) {
   constexpr std::size_t in_zip64 = 0xffffffff, most = 0xfffffffe;  // bytes
   if (zip.size() > most) {
@@ -127,7 +118,7 @@ std::string plain_zip(const std::string& zip) {
   for (std::size_t entry = 0; entry < entries; ++entry) {
     const std::size_t name_size = number(zip, at + 28, 2), extra_size = number(zip, at + 30, 2);
     const std::string name = zip.substr(at + 46, name_size);
-    // What is in the ZIP64 field stands there in this order.
+    // Order of the ZIP64 field.
     std::size_t sizes[3] = {number(zip, at + 24, 4), number(zip, at + 20, 4),
                             number(zip, at + 42, 4)};
     std::size_t field = at + 46 + name_size + 4;
@@ -172,32 +163,68 @@ std::string plain_zip(const std::string& zip) {
   return out;
 }
 
-using Body = std::unique_ptr<Held<NMR::PLib3MFModelMeshObject>>;
+using Mesh = Held<NMR::PLib3MFModelMeshObject>;
 
-// One build item: the bodies where they are.
-void place_piece(NMR::PLib3MFModel* model, const std::vector<Body>& bodies,
-                 const std::string& title, int piece, int piece_count) {
-  const std::string name = piece_count > 1 ? title + " P" + std::to_string(piece + 1) : title;
+// Adds one build item: the bodies of a piece where they are.
+void place_piece(NMR::PLib3MFModel* model, const std::vector<std::unique_ptr<Mesh>>& bodies,
+                 const std::string& name, int piece) {
   Held<NMR::PLib3MFModelComponentsObject> assembly;
-  require(NMR::lib3mf_model_addcomponentsobject(model, assembly.out()), "add " + name);
-  require(NMR::lib3mf_object_setnameutf8(assembly.get(), name.c_str()), "name " + name);
-  require(NMR::lib3mf_object_setuuidutf8(assembly.get(), uuid(4, piece + 1).c_str()),
-          "name " + name);
+  require(NMR::lib3mf_model_addcomponentsobject(model, assembly.out()));
+  require(NMR::lib3mf_object_setnameutf8(assembly.get(), name.c_str()));
+  require(NMR::lib3mf_object_setuuidutf8(assembly.get(), uuid(4, piece + 1).c_str()));
   unsigned number = 0;
-  for (const Body& body : bodies) {
+  for (const auto& body : bodies) {
     Held<NMR::PLib3MFModelComponent> component;
     require(NMR::lib3mf_componentsobject_addcomponent(assembly.get(), body->get(), nullptr,
-                                                      component.out()),
-            "put a body into " + name);
-    require(
-        NMR::lib3mf_component_setuuidutf8(component.get(), uuid(0x100 + piece, ++number).c_str()),
-        "name a body of " + name);
+                                                      component.out()));
+    const std::string id = uuid(0x100 + piece, ++number);
+    require(NMR::lib3mf_component_setuuidutf8(component.get(), id.c_str()));
   }
   Held<NMR::PLib3MFModelBuildItem> item;
-  require(NMR::lib3mf_model_addbuilditem(model, assembly.get(), nullptr, item.out()),
-          "place " + name);
-  require(NMR::lib3mf_builditem_setuuidutf8(item.get(), uuid(3, piece + 1).c_str()),
-          "place " + name);
+  require(NMR::lib3mf_model_addbuilditem(model, assembly.get(), nullptr, item.out()));
+  require(NMR::lib3mf_builditem_setuuidutf8(item.get(), uuid(3, piece + 1).c_str()));
+}
+
+// Material of each BodyKind in one group.
+struct Materials {
+  Held<NMR::PLib3MFModelBaseMaterial> held;
+  DWORD group = 0;
+  std::array<DWORD, 3> id{};
+
+  Materials(NMR::PLib3MFModel* model, const std::array<std::string, 3>& names) {
+    require(NMR::lib3mf_model_addbasematerialgroup(model, held.out()));
+    require(NMR::lib3mf_basematerial_getresourceid(held.get(), &group));
+    for (int k = 0; k < 3; ++k) {
+      const Colour c = body_colour(static_cast<BodyKind>(k));
+      require(NMR::lib3mf_basematerial_addmaterialutf8(held.get(), names[k].c_str(), c.red, c.green,
+                                                       c.blue, &id[k]));
+      // Opaque: without this it would be transparent.
+      require(NMR::lib3mf_basematerial_setdisplaycolorrgba(held.get(), id[k], c.red, c.green,
+                                                           c.blue, 255));
+    }
+  }
+};
+
+void add_mesh(NMR::PLib3MFModel* model, const BodyMesh& mesh, const Materials& materials,
+              unsigned number, Mesh& object) {
+  std::vector<NMR::MODELMESHVERTEX> points(mesh.points.size());
+  std::vector<NMR::MODELMESHTRIANGLE> triangles(mesh.triangles.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (int k = 0; k < 3; ++k) points[i].m_fPosition[k] = static_cast<float>(mesh.points[i][k]);
+  }
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (int k = 0; k < 3; ++k) triangles[i].m_nIndices[k] = mesh.triangles[i][k];
+  }
+  require(NMR::lib3mf_model_addmeshobject(model, object.out()));
+  require(NMR::lib3mf_object_setnameutf8(object.get(), mesh.name.c_str()));
+  require(NMR::lib3mf_object_setuuidutf8(object.get(), uuid(2, number).c_str()));
+  require(NMR::lib3mf_meshobject_setgeometry(object.get(), points.data(),
+                                             static_cast<DWORD>(points.size()), triangles.data(),
+                                             static_cast<DWORD>(triangles.size())));
+  Held<NMR::PLib3MFDefaultPropertyHandler> property;
+  require(NMR::lib3mf_object_createdefaultpropertyhandler(object.get(), property.out()));
+  require(NMR::lib3mf_defaultpropertyhandler_setbasematerial(
+      property.get(), materials.group, materials.id[static_cast<int>(mesh.kind)]));
 }
 
 }  // namespace
@@ -205,74 +232,35 @@ void place_piece(NMR::PLib3MFModel* model, const std::vector<Body>& bodies,
 void write_3mf(const std::vector<BodyMesh>& meshes, const std::string& title,
                const std::array<std::string, 3>& names, const std::string& path) {
   Held<NMR::PLib3MFModel> model;
-  require(NMR::lib3mf_createmodel(model.out()), "start a model");
-  require(NMR::lib3mf_model_setunit(model.get(), NMR::MODELUNIT_MILLIMETER), "set the unit");
-  require(NMR::lib3mf_model_setbuilduuidutf8(model.get(), uuid(1, 1).c_str()), "name the build");
-  require(NMR::lib3mf_model_addmetadatautf8(model.get(), "Title", escaped(title).c_str()),
-          "set the title");
-  Held<NMR::PLib3MFModelBaseMaterial> materials;
-  require(NMR::lib3mf_model_addbasematerialgroup(model.get(), materials.out()), "add colours");
-  DWORD group = 0;
-  require(NMR::lib3mf_basematerial_getresourceid(materials.get(), &group), "add colours");
-  std::array<DWORD, 3> material{};
-  for (int k = 0; k < 3; ++k) {
-    const Colour c = body_colour(static_cast<BodyKind>(k));
-    require(NMR::lib3mf_basematerial_addmaterialutf8(materials.get(), names[k].c_str(), c.red,
-                                                     c.green, c.blue, &material[k]),
-            "add a colour");
-    // Without this it would be transparent.
-    require(NMR::lib3mf_basematerial_setdisplaycolorrgba(materials.get(), material[k], c.red,
-                                                         c.green, c.blue, 255),
-            "make a colour opaque");
-  }
-  int piece_count = 0;
-  for (const BodyMesh& mesh : meshes) piece_count = std::max(piece_count, mesh.piece + 1);
-  std::vector<std::vector<Body>> bodies(piece_count);
+  require(NMR::lib3mf_createmodel(model.out()));
+  require(NMR::lib3mf_model_setunit(model.get(), NMR::MODELUNIT_MILLIMETER));
+  require(NMR::lib3mf_model_setbuilduuidutf8(model.get(), uuid(1, 1).c_str()));
+  require(NMR::lib3mf_model_addmetadatautf8(model.get(), "Title", escaped(title).c_str()));
+  const Materials materials(model.get(), names);
+  std::vector<std::vector<std::unique_ptr<Mesh>>> pieces;
   unsigned number = 0;
   for (const BodyMesh& mesh : meshes) {
     if (++number % 64 == 0) {
       checkpoint("writing 3MF", static_cast<double>(number) / meshes.size());
     }
-    std::vector<NMR::MODELMESHVERTEX> points(mesh.points.size());
-    std::vector<NMR::MODELMESHTRIANGLE> triangles(mesh.triangles.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      for (int k = 0; k < 3; ++k) points[i].m_fPosition[k] = static_cast<float>(mesh.points[i][k]);
-    }
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-      for (int k = 0; k < 3; ++k) triangles[i].m_nIndices[k] = mesh.triangles[i][k];
-    }
-    auto held = std::make_unique<Held<NMR::PLib3MFModelMeshObject>>();
-    Held<NMR::PLib3MFModelMeshObject>& object = *held;
-    require(NMR::lib3mf_model_addmeshobject(model.get(), object.out()), "add " + mesh.name);
-    require(NMR::lib3mf_object_setnameutf8(object.get(), mesh.name.c_str()), "name " + mesh.name);
-    require(NMR::lib3mf_object_setuuidutf8(object.get(), uuid(2, number).c_str()),
-            "name " + mesh.name);
-    require(NMR::lib3mf_meshobject_setgeometry(object.get(), points.data(),
-                                               static_cast<DWORD>(points.size()), triangles.data(),
-                                               static_cast<DWORD>(triangles.size())),
-            "take the mesh of " + mesh.name);
-    Held<NMR::PLib3MFDefaultPropertyHandler> property;
-    require(NMR::lib3mf_object_createdefaultpropertyhandler(object.get(), property.out()),
-            "colour " + mesh.name);
-    require(NMR::lib3mf_defaultpropertyhandler_setbasematerial(
-                property.get(), group, material[static_cast<int>(mesh.kind)]),
-            "colour " + mesh.name);
-    bodies[mesh.piece].push_back(std::move(held));
+    if (mesh.piece >= static_cast<int>(pieces.size())) pieces.resize(mesh.piece + 1);
+    pieces[mesh.piece].push_back(std::make_unique<Mesh>());
+    add_mesh(model.get(), mesh, materials, number, *pieces[mesh.piece].back());
   }
-  for (int piece = 0; piece < piece_count; ++piece) {
-    place_piece(model.get(), bodies[piece], title, piece, piece_count);
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    const std::string name = pieces.size() > 1 ? title + " P" + std::to_string(k + 1) : title;
+    place_piece(model.get(), pieces[k], name, static_cast<int>(k));
   }
   Held<NMR::PLib3MFModelWriter> writer;
-  require(NMR::lib3mf_model_querywriter(model.get(), "3mf", writer.out()), "make a writer");
+  require(NMR::lib3mf_model_querywriter(model.get(), "3mf", writer.out()));
   Archive archive;
   bool cancelled = false;
-  require(NMR::lib3mf_writer_setprogresscallback(writer.get(), &ask_to_go_on, &cancelled),
-          "watch the writer");
-  const long written =
+  require(NMR::lib3mf_writer_setprogresscallback(writer.get(), &ask_to_go_on, &cancelled));
+  const long result =
       NMR::lib3mf_writer_writetocallback(writer.get(), reinterpret_cast<void*>(&Archive::write),
                                          reinterpret_cast<void*>(&Archive::seek), &archive);
   if (cancelled) throw Cancelled();
-  require(written, "write the archive");
+  require(result);
   write_bytes(path, plain_zip(archive.bytes));
 }
 

@@ -8,14 +8,13 @@
 
 #include "curveups/bodies/clearance.hpp"
 #include "curveups/bodies/convex_distance.hpp"
-#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/design/print_constants.hpp"
 #include "curveups/fabrication/body_mesh.hpp"
-#include "curveups/fabrication/bridges.hpp"
 #include "curveups/fabrication/occ_solids.hpp"
 #include "curveups/fabrication/print_model.hpp"
 #include "curveups/fabrication/print_solids.hpp"
+#include "curveups/fabrication/supports.hpp"
 #include "curveups/geometry/convex_polygon.hpp"
 #include "support/designs.hpp"
 #include "support/soundness.hpp"
@@ -87,16 +86,6 @@ TEST(Solids, WhatOpenCascadeRefusesIsATypedErrorThatNamesTheBody) {
               std::string::npos)
         << error.what();
   }
-}
-
-TEST(Solids, CanBeStoppedWhileAnotherThreadBuildsThem) {
-  const PrintModel model = make_print_model(test::sample_design());
-  const std::lock_guard<std::recursive_timed_mutex> building(model.solids->building);
-  std::thread other([&] {
-    const ProgressScope scope([](const std::string&, double) { return false; });
-    EXPECT_THROW(solids_of(model, "tiles"), Cancelled);
-  });
-  other.join();
 }
 
 TEST(Bumps, InterleaveAndTouchTheFacingWallOnly) {
@@ -197,10 +186,11 @@ Polygon seen_from_above(const PrintBody& body) {
 }
 
 TEST(Bridges, BreakWhereEveryPrinterStillPrints) {
+  const auto neck = [](const Parameters& q) { return bridges().narrowest(q).size; };
   Parameters p;
-  EXPECT_NEAR(bridge_neck(p), 0.4, 1e-12);  // the coarsest printer's smallest feature
-  p.H_body = 0.9;                           // the bridge is as thin as the body allows
-  EXPECT_NEAR(bridge_neck(p), 0.3, 1e-12);
+  EXPECT_NEAR(neck(p), 0.4, 1e-12);  // the coarsest printer's smallest feature
+  p.H_body = 0.9;                    // the bridge is as thin as the body allows
+  EXPECT_NEAR(neck(p), 0.3, 1e-12);
   p = {};
   p.support = "breakaway";
   const PrintModel model = make_print_model(test::sample_design(p));
@@ -211,7 +201,7 @@ TEST(Bridges, BreakWhereEveryPrinterStillPrints) {
     for (const Vec3& q : bridge.points) {
       if (q.z() < high - 1e-9) tip = std::max(tip, q.z());
     }
-    EXPECT_NEAR(high - tip, bridge_neck(p), 1e-9) << bridge.name;
+    EXPECT_NEAR(high - tip, neck(p), 1e-9) << bridge.name;
   }
 }
 

@@ -44,7 +44,9 @@ void expect_divided(const PrintBody& slab, std::size_t bores) {
   std::set<std::pair<int, int>> edges;
   std::size_t rings = 0, parts = 0;
   double top = 0;
-  for (const Vec3& p : slab.points) top = std::max(top, p.z());
+  for (const PlanarFace& face : slab.faces) {
+    for (int i : face.outer.points) top = std::max(top, slab.points[i].z());
+  }
   for (const PlanarFace& face : slab.faces) {
     auto add_edges = [&](const BodyLoop& loop) {
       for (std::size_t k = 0; k < loop.points.size(); ++k) {

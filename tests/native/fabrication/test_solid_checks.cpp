@@ -20,7 +20,7 @@
 #include "curveups/core/errors.hpp"
 #include "curveups/fabrication/occ_solids.hpp"
 #include "curveups/fabrication/print_model.hpp"
-#include "curveups/fabrication/solid_checks.hpp"
+#include "curveups/fabrication/print_solids.hpp"
 #include "support/designs.hpp"
 #include "support/soundness.hpp"
 
@@ -155,6 +155,21 @@ TEST(SolidChecks, FindDamageOfShapes) {
     wire.Free(true);
     builder.Remove(wire, first(wire, TopAbs_EDGE));
   })) << "an open wire";
+}
+
+TEST(SolidReasons, NameSomeUnsoundBodiesAndCountTheOthers) {
+  EXPECT_TRUE(solid_reasons({}).empty());
+  const std::vector<Finding> reasons = solid_reasons({{"T00001", "open", 0},
+                                                      {"T00002", "open", 1},
+                                                      {"T00004", "open", 3},
+                                                      {"Support P1", "open"}});
+  ASSERT_EQ(reasons.size(), 1u);
+  EXPECT_EQ(reasons[0].kind, "unsound.many");
+  EXPECT_EQ(reasons[0].tiles, (std::vector<int>{0, 1, 3}));
+  const auto named = std::get<std::vector<Finding>>(reasons[0].figures.at("solids"));
+  ASSERT_EQ(named.size(), 3u);
+  EXPECT_EQ(std::get<std::string>(named[2].figures.at("body")), "T00004");
+  EXPECT_EQ(std::get<int>(reasons[0].figures.at("more")), 1);
 }
 
 }  // namespace

@@ -24,10 +24,9 @@
 #include <sstream>
 
 #include "curveups/core/errors.hpp"
+#include "curveups/fabrication/file_formats.hpp"
 #include "curveups/fabrication/occ_solids.hpp"
-#include "curveups/fabrication/palette.hpp"
 #include "curveups/fabrication/print_files.hpp"
-#include "curveups/fabrication/step_file.hpp"
 #include "curveups/fabrication/step_text.hpp"
 #include "support/designs.hpp"
 

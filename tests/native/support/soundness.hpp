@@ -9,8 +9,7 @@
 #include "curveups/bodies/clearance.hpp"
 #include "curveups/fabrication/body_mesh.hpp"
 #include "curveups/fabrication/occ_solids.hpp"
-#include "curveups/fabrication/print_model.hpp"
-#include "curveups/fabrication/solid_checks.hpp"
+#include "curveups/fabrication/print_solids.hpp"
 
 namespace curveups::test {
 
