@@ -10,7 +10,7 @@
 namespace curveups {
 namespace {
 
-// Per block those of higher number that it is coupled with, ascending.
+// Coupled blocks of higher number of each block, ascending.
 using Above = std::vector<std::vector<int>>;
 Above neighbours_above(const std::vector<int>& number, int count,
                        const std::vector<Coupling>& couplings) {
@@ -121,7 +121,7 @@ bool BlockMatrix<W>::factorize(double damping, double shift) {
   return done;
 }
 
-// Column by column: they are long where there are many.
+// Goes column by column, as these are long.
 template <int W>
 template <class Body>
 void BlockMatrix<W>::for_free(Eigen::Index columns, const Body& body) const {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Sparse symmetric matrices of blocks of at most W x W, one block row for each block of unknowns (a
-// tile, a vertex): the one assembler of the project. The pattern is fixed by the pairs of blocks
-// that elements join; it orders the elimination, elements add to slots looked up once, and
-// right-hand sides and solutions come in the caller's numbering, W rows a block.
+// tile, a vertex). The pairs of blocks that elements join fix the pattern and its order of
+// elimination; elements add to slots that are looked up once. Right-hand sides and solutions come
+// in the caller's numbering, W rows a block.
 #pragma once
 
 #include <array>
@@ -13,34 +13,34 @@
 
 namespace curveups {
 
-// Two blocks of unknowns that an element joins; negative where it has none, or none that moves.
+// Two blocks of unknowns that an element joins; negative: none.
 using Coupling = std::array<int, 2>;
 
-// Where a coupling's block is stored: in the lower triangle, in the order of elimination.
+// Place of a coupling's block in the lower triangle, in the order of elimination.
 struct BlockSlot {
-  int column = -1;       // of blocks; negative: nowhere
-  int below = -1;        // the how-manieth block below the diagonal one; -1: the diagonal
-  bool swapped = false;  // its rows are those of the coupling's second block
+  int column = -1;       // block column; negative: not stored
+  int below = -1;        // number of the block below the diagonal one; -1: the diagonal
+  bool swapped = false;  // rows are those of the coupling's second block
 
   bool stored() const { return column >= 0; }
 };
 
 class BlockPattern {
  public:
-  // free: per block whether it is unknown; the others have no rows.
+  // free: per block, not 0 where it is unknown; other blocks have no rows.
   BlockPattern(const std::vector<char>& free, const std::vector<Coupling>& couplings);
 
   int block_count() const { return static_cast<int>(rank_.size()); }
   int free_count() const { return static_cast<int>(start_.size()) - 1; }
-  // The block's place in the order of elimination, or -1.
+  // Place of a block in the order of elimination, or -1.
   int rank(int block) const { return rank_[block]; }
   BlockSlot diagonal(int block) const { return {rank_[block], -1, false}; }
-  // Of the coupling with this number in the list given.
+  // Slot of the coupling with this number in the list given.
   const BlockSlot& slot(int coupling) const { return slots_[coupling]; }
   // Ranks of the blocks below the diagonal one of a column, ascending: [begin, end).
   const int* begin(int column) const { return below_.data() + start_[column]; }
   const int* end(int column) const { return below_.data() + start_[column + 1]; }
-  // Number of a block that is no diagonal one among all of these.
+  // Number of an off-diagonal block among all of these.
   int entry(const BlockSlot& slot) const { return start_[slot.column] + slot.below; }
 
  private:
@@ -53,14 +53,14 @@ class BlockMatrix {
  public:
   using Block = Eigen::Matrix<double, W, W>;
 
-  // unknowns: how many of its W unknowns each block has, the first ones; all where it is empty. The
-  // others have no rows.
+  // unknowns: number of leading unknowns that each block has, at most W; empty: W. Others have no
+  // rows.
   explicit BlockMatrix(std::shared_ptr<const BlockPattern> pattern,
                        const std::vector<int>& unknowns = {});
 
   const BlockPattern& pattern() const { return *pattern_; }
   void set_zero();
-  // The entries of column c of a stored block; of a diagonal one only those from row c on exist.
+  // Entries of column c of a stored block; those of a diagonal block exist from row c on.
   double* column(const BlockSlot& slot, int c) {
     return matrix_.valuePtr() + matrix_.outerIndexPtr()[row_[slot.column] + c] - c +
            (slot.below < 0 ? 0 : below_[pattern_->entry(slot)]);
@@ -85,39 +85,39 @@ class BlockMatrix {
   // Adds a matrix of the same pattern and unknowns.
   void add(const BlockMatrix& other);
   double mean_diagonal() const;
-  // All entries, in an order of their own: to come back to.
-  Eigen::VectorXd entries() const { return matrix_.coeffs(); }
-  void set_entries(const Eigen::VectorXd& entries) { matrix_.coeffs() = entries; }
 
-  // Cholesky factorization with the diagonal entries d as d (1 + damping) + shift. False where the
-  // matrix is not positive definite or not finite.
+  // Cholesky factorization with the diagonal entries d as d (1 + damping) + shift; the mean of the
+  // diagonal is a unit for the latter.
+  // False where the matrix is not positive definite or not finite. The matrix itself stays as it
+  // is, so that it can be factorized again with more damping.
+  // Throws SolverFailure where memory runs out.
   bool factorize(double damping = 0, double shift = 0);
-  // By the last factorization, for one or more right-hand sides of W rows a block; zero where
-  // there is no unknown.
+  // Solution by the last factorization, for one or more right-hand sides of W rows a block; zero
+  // where there is no unknown.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const {
     return unranked(cholesky_.solve(ranked(right)));
   }
-  // The matrix times x, in the caller's numbering as well.
+  // Product with x, in the caller's numbering as well.
   Eigen::MatrixXd multiply(const Eigen::MatrixXd& x) const;
 
   // Rows of the free blocks alone, in the order of elimination, and back.
   Eigen::MatrixXd ranked(const Eigen::MatrixXd& x) const;
   Eigen::MatrixXd unranked(const Eigen::MatrixXd& x) const;
-  // With ranked rows, by the factor L of the matrix L L^T.
+  // Factor L of the matrix L L^T, for ranked rows.
   const SparseCholesky& factor() const { return cholesky_; }
 
  private:
   using Column = Eigen::Matrix<double, W, 1>;
 
   int width(int rank) const { return row_[rank + 1] - row_[rank]; }
-  // body(column, first row of the caller's, first row in the order of elimination, rows).
+  // Calls body(column, first row of the caller, first row in the order of elimination, rows).
   template <class Body>
   void for_free(Eigen::Index columns, const Body& body) const;
 
   std::shared_ptr<const BlockPattern> pattern_;
-  // The first row of each block, in the order of elimination; one more at the end.
+  // First row of each block, in the order of elimination, and the end.
   std::vector<int> row_;
-  // Of each block below a diagonal one, how far it is below that one's first row.
+  // Rows from the first one of the diagonal block to each block below it.
   std::vector<int> below_;
   SparseMatrix matrix_;
   SparseCholesky cholesky_{Ordering::as_given};

@@ -4,9 +4,9 @@
 //   floor:     maximise s   subject to  n >= s,      |t| <= mu n,              s <= 1;
 //   relaxed:   the same with |t| <= mu (n - s), which always has a solution;
 //   friction:  maximise s   subject to  n >= floor,  |t| <= mu n - s weight,  s <= 1.
-// A primal-dual interior-point method (Mehrotra's predictor-corrector with Nesterov-Todd scaling;
-// L. Vandenberghe, "The CVXOPT linear and quadratic cone program solvers", 2010) on the normal
-// equations A D A^T, one factorization a step.
+// The interior-point method (cone_method.hpp) works on the normal equations A D A^T, with one
+// factorization a step
+// (L. Vandenberghe, "The CVXOPT linear and quadratic cone program solvers", 2010).
 #pragma once
 
 #include <vector>
@@ -17,7 +17,7 @@
 
 namespace curveups {
 
-// The linear map A of forces at points, and its normal equations.
+// Linear map A of forces at points, and its normal equations.
 class ForceMap {
  public:
   virtual ~ForceMap() = default;
@@ -45,7 +45,7 @@ struct ConeSolution {
   Eigen::VectorXd weight;  // dual weight of each point's cones
   Eigen::VectorXd y;       // multipliers of A f + b = 0
   Points3 circle;          // multipliers of the friction cones
-  Eigen::VectorXd floor;   // and of n >= s
+  Eigen::VectorXd floor;   // multipliers of n >= s
 };
 
 // Forces in units in which s is at most 1. start: any forces. Leaves the map factorized for the

@@ -18,7 +18,7 @@ constexpr double gradient_accuracy = 1e-3;
 constexpr double last_level = 3;  // in units of mu_end: no level is worth its steps below that
 constexpr int max_halvings = 12;
 
-// Shortens a step so that value + length change stays a share of the way from zero.
+// Shortens a step so that value + length change stays positive.
 void limit(double value, double change, double& length) {
   if (change < 0) length = std::min(length, -to_boundary * value / change);
 }
@@ -41,9 +41,9 @@ struct Complementarity {
 struct InteriorPoint::Linearization {
   using Values = std::vector<std::vector<Residuals::Value>>;
 
-  // kept: memory of another linearization, for the values.
-  Linearization(int blocks, const Terms<9>& energies, const Constraints& constraints, Values kept)
-      : values(std::move(kept)) {
+  // memory: values of an earlier linearization, to be overwritten.
+  Linearization(int blocks, const Terms<9>& energies, const Constraints& constraints, Values memory)
+      : values(std::move(memory)) {
     values.resize(constraints.size());
     std::vector<Coupling> couplings;
     for (const auto& energy : energies) {
@@ -72,7 +72,7 @@ struct InteriorPoint::Linearization {
   std::unique_ptr<BlockMatrix<9>> matrix, constraint_matrix;
   std::vector<int> first;  // coupling of each energy, then of each constraint
   Vector gradient;         // of the energies
-  Vector pull;  // J^T m and the bounds' multipliers: what the constraints hold against it
+  Vector pull;             // J^T m and the bounds' multipliers
   Values values;
   double residual_sum = 0, largest_residual = 0;  // of c(z) - s
   double largest_violation = 0;                   // of c(z) >= 0
@@ -121,7 +121,7 @@ void InteriorPoint::take_new_constraints(const Vector& z, double mu) {
   }
 }
 
-// Energies and constraints are taken at once, each into a matrix of its own.
+// Linearises energies and constraints in parallel, each into a matrix of its own.
 void InteriorPoint::linearize(const Vector& z, Linearization& at) const {
   parallel_tasks({[&] {
                     at.matrix->set_zero();
@@ -319,11 +319,11 @@ void InteriorPoint::iterate(Vector& z, const Levels& levels, int max_iterations,
   const int blocks = static_cast<int>(z.rows());
   std::unique_ptr<Linearization> linearization;
   const auto linearize_anew = [&] {
-    Linearization::Values kept;
-    if (linearization) kept = std::move(linearization->values);
+    Linearization::Values memory;
+    if (linearization) memory = std::move(linearization->values);
     linearization.reset();
     linearization =
-        std::make_unique<Linearization>(blocks, energies_, constraints_, std::move(kept));
+        std::make_unique<Linearization>(blocks, energies_, constraints_, std::move(memory));
   };
   linearize_anew();
   Step step;

@@ -2,9 +2,9 @@
 // Minimises energy terms under inequality constraints: a primal-dual interior-point method with
 // slacks, condensed onto the pattern of the terms.
 //
-// Why a method of our own: least-squares solvers with bounds have no general inequality
-// constraints, and Ipopt on the very same problem takes six to twelve times as long, because its
-// linear algebra can't use that all blocks are alike on one sparsity pattern that never changes.
+// Least-squares solvers with bounds have no general inequality constraints, and Ipopt takes six to
+// twelve times as long on the same problem: its linear algebra can't use that all blocks are alike
+// on a constant pattern.
 //
 //   minimise f(z)   subject to   c(z) - s = 0, s >= 0, lower <= z <= upper for some unknowns.
 // With multipliers m of c, each step solves
@@ -30,7 +30,7 @@ struct Bound {
 };
 
 // Complementarity where a run begins and where it ends, and the largest violation of a constraint
-// with which it may end: complementarity has another unit, and bounds violations only roughly.
+// at its end: complementarity has another unit, and bounds violations only roughly.
 struct Levels {
   double mu_start, mu_end;
   double violation = std::numeric_limits<double>::infinity();
@@ -39,27 +39,27 @@ struct Levels {
 class InteriorPoint {
  public:
   using Vector = Residuals::Vector;
-  using Constraints = std::vector<std::unique_ptr<Residuals>>;  // one row an element
+  using Constraints = std::vector<std::unique_ptr<Residuals>>;  // each with a row an element
 
   InteriorPoint(Terms<9> energies, Constraints constraints, std::vector<Bound> bounds)
       : energies_(std::move(energies)),
         constraints_(std::move(constraints)),
         bounds_(std::move(bounds)) {}
 
-  // Asked with z whenever the problem with the barrier parameter mu is solved: may give constraints
-  // more elements and says whether it did. The run goes on with all slacks and multipliers.
+  // Called after each barrier level mu. May append elements to constraints; returns true if it did.
+  // The run goes on with all slacks and multipliers.
   using Discover = std::function<bool(const Vector& z, double mu)>;
 
   // Improves z, from fresh slacks and multipliers, until complementarity mu_end is reached, the
   // optimality conditions hold to like accuracy, no constraint is violated too far and nothing more
-  // is discovered, or max_iterations. progress gets `what` and the share of the way from mu_start
-  // to mu_end; stopped in the middle of an iteration z is that of the one before. The report has
+  // is discovered, or for max_iterations. progress gets `what` and the share of the way from
+  // mu_start to mu_end. Stopped within an iteration, z stays as before it. The report's residual is
   // the largest violation of c(z) >= 0.
   SolveReport run(Vector& z, const Levels& levels, int max_iterations, const std::string& what,
                   const Progress& progress, const Discover& discover = {});
 
  private:
-  using Vectors = std::vector<Eigen::VectorXd>;  // one entry per element of each constraint
+  using Vectors = std::vector<Eigen::VectorXd>;  // per constraint, entry an element
   struct Linearization;
   struct Step;
 
@@ -84,7 +84,7 @@ class InteriorPoint {
   Constraints constraints_;
   std::vector<Bound> bounds_;
   Vectors slack_, multiplier_;
-  Eigen::VectorXd lower_multiplier_, upper_multiplier_;  // of the bounds
+  Eigen::VectorXd lower_multiplier_, upper_multiplier_;  // per bound
 };
 
 }  // namespace curveups

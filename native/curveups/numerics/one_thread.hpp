@@ -5,10 +5,10 @@
 namespace curveups {
 
 // CHOLMOD opens an OpenMP team of four for every small supernode whatever OMP_NUM_THREADS says:
-// twice as slow on two processors, and sums in an order that varies. OpenBLAS has threads of its
-// own, one number for the whole process, which it shares with numpy: the first guard sets it to
-// one, the last to go, on whichever thread, puts back what was there. The OpenMP part works on the
-// calling thread alone. To be put around every call that ends in them.
+// twice as slow on two processors, and sums in an order that varies. OpenBLAS has one number of
+// threads for the whole process, which numpy shares: the first guard sets it to one, and the last
+// one, on any thread, restores it. The OpenMP part concerns the calling thread alone. Calls of
+// either library need a guard.
 class OneThread {
  public:
   OneThread();

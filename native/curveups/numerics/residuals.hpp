@@ -17,20 +17,20 @@ class Residuals : public Term<9> {
   static constexpr int width = 9, max_rows = 8;
   using Vector = BlockVector<width>;
   using Blocks = Coupling;
-  using Unknowns = std::array<const double*, 2>;  // of an element's blocks, null where it has one
+  using Unknowns = std::array<const double*, 2>;  // per block of an element; null: no second one
   struct Value {
     Eigen::Matrix<double, max_rows, 1> value;
-    std::array<Eigen::Matrix<double, max_rows, width, Eigen::RowMajor>, 2> jacobian;  // by block
+    std::array<Eigen::Matrix<double, max_rows, width, Eigen::RowMajor>, 2> jacobian;  // per block
   };
 
   virtual int element_count() const = 0;
-  // Rows of an element's value.
+  // Number of rows of an element's value.
   virtual int dimension() const = 0;
-  // The blocks of an element; the second is -1 where it has one.
+  // Blocks of an element; the second is -1 where there is none.
   virtual Blocks blocks(int element) const = 0;
-  // Rows of the Jacobians beyond dimension() that add curvature to the Gauss-Newton matrix: half
-  // the sum of squares (energies), or the function itself (constraints, negated), curves by at
-  // least their squares more than first derivatives tell. Without them steps overshoot twofold.
+  // Number of rows of the Jacobians beyond dimension() whose squares add curvature to the
+  // Gauss-Newton matrix: a lower bound of the neglected curvature of half the sum of squares
+  // (energies) or of the negated function (constraints). Without them steps overshoot twofold.
   virtual int curvature_rows() const { return 0; }
   // Fills the first dimension() values; Jacobians, curvature rows included, only where
   // `derivatives`.
@@ -87,7 +87,7 @@ class Residuals : public Term<9> {
     if (list[1] >= 0) sum += value.jacobian[1].row(row).dot(step.row(list[1]));
     return sum;
   }
-  // Adds J^T diag(weight) J of the first `rows` rows; first: as in Term::derivatives.
+  // Adds J^T diag(weight) J of the first `rows` rows; first as in Term::derivatives.
   void add_products(int element, const Value& value, int rows, const double* weight, int first,
                     BlockMatrix<width>& matrix) const {
     const Blocks list = blocks(element);
@@ -116,7 +116,7 @@ class Residuals : public Term<9> {
   }
 };
 
-// By how much constraints are violated at most.
+// Largest violation of constraints.
 inline double largest_violation(const std::vector<std::unique_ptr<Residuals>>& constraints,
                                 const Residuals::Vector& x) {
   double largest = 0;

@@ -13,8 +13,8 @@ namespace curveups {
 // Only the lower triangle of the matrix is read.
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
-// An order of elimination with little fill (in postorder) for a graph: `above[v]` are the
-// neighbours of v with higher numbers, ascending. The k-th entry goes k-th. By least degree (AMD).
+// Order of elimination with little fill (AMD, in postorder) for a graph: its k-th entry goes k-th.
+// above[v] are the neighbours of v with higher numbers, ascending.
 // Unknowns that come in blocks of one pattern are ordered many times faster by the graph of their
 // blocks.
 std::vector<int> elimination_order(const std::vector<std::vector<int>>& above);
@@ -33,14 +33,14 @@ class SparseCholesky {
 
   // Symbolic factorization. Throws SolverFailure when memory runs out.
   void analyze(const SparseMatrix& lower);
-  // The order of elimination that the analysis chose.
+  // Order of elimination that the analysis chose.
   std::vector<int> order() const;
   // Numeric factorization of a matrix with the pattern last analyzed (analyzes when there is none).
   // Returns false when the matrix is not positive definite or holds a value that is not finite.
   bool factorize(const SparseMatrix& lower);
   // Solves A x = b for one or more right-hand sides with the last numeric factor.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
-  // L x = b and L^T x = b with the factor alone, whose rows are in the order of elimination.
+  // Solves L x = b and L^T x = b with the factor, whose rows are in the order of elimination.
   Eigen::MatrixXd solve_lower(const Eigen::MatrixXd& b) const;
   Eigen::MatrixXd solve_upper(const Eigen::MatrixXd& b) const;
 

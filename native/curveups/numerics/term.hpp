@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What every energy is: a function of blocks of W unknowns each (nine of a tile, three of a vertex)
-// that answers its value, gradient, second derivatives and how far a step may go. Solvers, merit
-// functions and the finite-difference test see nothing else.
+// Interface of energies: functions of blocks of W unknowns each (nine of a tile, three of a vertex)
+// with value, gradient, second derivatives and longest step. Solvers, merit functions and the
+// finite-difference test see nothing else.
 #pragma once
 
 #include <Eigen/Core>
@@ -28,12 +28,12 @@ class Term {
   virtual void couple(std::vector<Coupling>& couplings) const = 0;
   virtual double value(const BlockVector<W>& x) const = 0;
   // Adds to the gradient and, where it is not null, to the matrix of second derivatives: exact
-  // ones, or a Gauss-Newton matrix near them. first: the number that the first of the term's
-  // couplings has in the matrix's pattern. Returns the value.
+  // ones, or a Gauss-Newton matrix near them. first: number of the term's first coupling in the
+  // matrix's pattern. Returns the value.
   virtual double derivatives(const BlockVector<W>& x, BlockVector<W>& gradient,
                              BlockMatrix<W>* hessian, int first) const = 0;
-  // The longest part of a step along which the value stays finite, or what the term stands for
-  // holds; more than 1 where all of it may be taken.
+  // Longest part of a step along which the value stays finite; more than 1 where all of it may be
+  // taken.
   virtual double largest_step(const BlockVector<W>& x, const BlockVector<W>& step) const {
     (void)x, (void)step;
     return std::numeric_limits<double>::infinity();

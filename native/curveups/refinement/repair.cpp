@@ -2,6 +2,7 @@
 #include "curveups/refinement/repair.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "curveups/core/tolerances.hpp"
 #include "curveups/refinement/force_rows.hpp"
 #include "curveups/refinement/friction_objective.hpp"
+#include "curveups/refinement/pin_caps.hpp"
 
 namespace curveups {
 namespace {
@@ -29,6 +31,22 @@ constexpr double shaping_radius = 0.5, friction_weight = 400, least_tangential =
                  slow_shaping = 0.8;
 constexpr int most_shaping_steps = 8;
 
+// Deepest cut of either membrane.
+std::vector<Finding> cuts_among(const std::vector<Touch>& touches) {
+  std::vector<Finding> out;
+  for (const Side side : {Side::front, Side::back}) {
+    std::vector<MembraneClearance> clearances;
+    for (const Touch& touch : touches) {
+      if (touch.side == side) clearances.push_back({touch.clearance, touch.tile});
+    }
+    const MembraneClearance least = least_clearance(clearances, safe_clearance);
+    if (!is_clear(least.distance)) {
+      out.push_back(cut_by_membrane(side, least.tile, -least.distance));
+    }
+  }
+  return out;
+}
+
 class Repair {
  public:
   Repair(const Design& design, const Progress& progress, const RepairCallback& callback,
@@ -45,6 +63,7 @@ class Repair {
     std::vector<Finding> cuts;                 // deepest cut of either membrane
   };
 
+  std::shared_ptr<Shape> make_shape(const TriangleMesh& mesh, const LayoutModel* known) const;
   Design design_here() const;
   void restore_start(RepairResult& result);
   Judged judge_fresh(RepairResult& result);
@@ -52,9 +71,11 @@ class Repair {
   void lower_friction(RepairResult& result);
   void shape(RepairResult& result);
   StepWeights step_weights() const;
+  bool draw_pins_out(const Judgement& now);
   bool improve(RepairResult& result, Judgement& now);
   bool take_step(RepairResult& result, Judgement& now, bool with_vertices);
   bool move_to(const LayoutStep& step, const MovingVertices* moving, const Iterate& from);
+  bool restore(int max_steps);
   void report(const Judgement& now) const;
 
   Progress progress_;
@@ -65,9 +86,11 @@ class Repair {
   SolvedHandle fresh_;   // solution of the place judged last, where that is valid
   const Parameters& parameters_;
   VertexPlaces target_;
+  Array6 caps_;           // upper bounds of insets beside membranes that were too low
   Iterate given_, here_;  // the design given, and the present one
   TrackedForces tracked_;
   std::optional<Judged> best_;
+  std::vector<Touch> touches_;
   double trust_radius_ = 0;
   int first_weak_ = 0;
 };
@@ -82,8 +105,9 @@ Repair::Repair(const Design& design, const Progress& progress, const RepairCallb
       parameters_(design_.parameters),
       target_{design.target ? design.target->V : design.mesh.V,
               Eigen::VectorXd::Zero(design.mesh.V.rows())},
+      caps_(Array6::Constant(design.mesh.F.rows(), 6, std::numeric_limits<double>::infinity())),
       tracked_(design_.parameters, progress) {
-  here_.shape = std::make_shared<Shape>(design.mesh, design.cuts, parameters_);
+  here_.shape = make_shape(design.mesh, nullptr);
   const TileMesh& tiles = here_.geometry().tiles;
   const int count = tiles.tile_count();
   if (target_.place.rows() != design.mesh.V.rows()) {
@@ -95,6 +119,15 @@ Repair::Repair(const Design& design, const Progress& progress, const RepairCallb
   for (int i = 0; i < count; ++i) {
     for (int t = 0; t < 3; ++t) target_.area(tiles.mesh.F(i, t)) += tiles.area(i) / 3;
   }
+}
+
+// known: a model with the collisions known so far; or null.
+std::shared_ptr<Shape> Repair::make_shape(const TriangleMesh& mesh,
+                                          const LayoutModel* known) const {
+  auto shape = std::make_shared<Shape>(mesh, design_.cuts, parameters_);
+  apply_caps(caps_, shape->geometry);
+  if (known) shape->model.gaps = known->gaps;
+  return shape;
 }
 
 // The given design at the present place, bit for bit where that has not moved.
@@ -117,20 +150,14 @@ Repair::Judged Repair::judge_fresh(RepairResult& result) {
   fresh_ = given && solved_ ? solved_
                             : std::make_shared<const SolvedDesign>(
                                   solve_design(here_.geometry(), design_here(), progress_));
+  touches_ = find_touches(here_.geometry(), *fresh_);
   Judged out{here_,
              tracked_.judge_fresh(here_, *fresh_),
              contact_corners(here_.geometry(), parameters_),
              {},
-             {}};
-  for (const Side side : {Side::front, Side::back}) {
-    const MembraneClearance least = least_clearance(
-        patch_clearances(here_.geometry(), fresh_->membranes[static_cast<int>(side)],
-                         parameters_.H_pin),
-        safe_clearance);
-    out.judgement.depth = std::max(out.judgement.depth, -least.distance);
-    if (!is_clear(least.distance)) {
-      out.cuts.push_back(cut_by_membrane(side, least.tile, -least.distance));
-    }
+             cuts_among(touches_)};
+  for (const Touch& touch : touches_) {
+    out.judgement.depth = std::max(out.judgement.depth, -touch.clearance);
   }
   if (out.judgement.valid()) {
     result.verification = verify_solved(here_.geometry(), fresh_, progress_);
@@ -178,7 +205,15 @@ bool succeeds(const Work& work) {
   return false;
 }
 
-// Takes the step and restores the constraints; forces follow. False where that fails.
+// Restores the constraints; forces follow. False where that fails.
+bool Repair::restore(int max_steps) {
+  here_.keep_pin_bounds();
+  if (!restore_constraints(here_.shape->model, here_.state, max_steps)) return false;
+  tracked_.move(here_);
+  return true;
+}
+
+// Takes the step and restores the constraints. False where that fails.
 bool Repair::move_to(const LayoutStep& step, const MovingVertices* moving, const Iterate& from) {
   here_ = from;
   return succeeds([&] {
@@ -187,18 +222,14 @@ bool Repair::move_to(const LayoutStep& step, const MovingVertices* moving, const
       for (int v = 0; v < moving->count(); ++v) {
         mesh.V.row(moving->vertex[v]) += step.vertex_step.row(v);
       }
-      here_.shape = std::make_shared<Shape>(mesh, design_.cuts, parameters_);
-      here_.shape->model.gaps = from.model().gaps;  // collisions known so far
+      here_.shape = make_shape(mesh, &from.model());
       if (here_.geometry().truncation.unresolved.size() >
           from.geometry().truncation.unresolved.size()) {
         return false;
       }
     }
     here_.state += step.step;
-    here_.keep_pin_bounds();
-    if (!restore_constraints(here_.shape->model, here_.state, 8)) return false;
-    tracked_.move(here_);
-    return true;
+    return restore(8);
   });
 }
 
@@ -229,6 +260,30 @@ bool Repair::take_step(RepairResult& result, Judgement& now, bool with_vertices)
   }
   here_ = from;
   tracked_.move_back(here_, floor);
+  return false;
+}
+
+// Draws pins out where membranes cut into bodies or all but touch them; where forces suffice, only
+// where they cut. False where no pin can, or the layout has no room for it.
+bool Repair::draw_pins_out(const Judgement& now) {
+  const Iterate from = here_;
+  const Array6 caps = caps_;
+  std::vector<Touch> touches = touches_;
+  if (now.forces_do()) {
+    touches.erase(std::remove_if(touches.begin(), touches.end(),
+                                 [](const Touch& touch) { return is_clear(touch.clearance); }),
+                  touches.end());
+  }
+  if (cap_insets(touches, here_, caps_)) {
+    const bool restored = succeeds([&] {
+      here_.shape = make_shape(from.geometry().tiles.mesh, &from.model());
+      return restore(20);
+    });
+    if (restored) return true;
+    here_ = from;
+    tracked_.move_back(here_, tracked_.floor());
+  }
+  caps_ = caps;
   return false;
 }
 
@@ -278,8 +333,15 @@ void Repair::search(RepairResult& result) {
     result.steps.push_back({now.weak, now.least, now.floor, false, true});
     if (!best_ || now.better_than(best_->judgement)) best_ = judged;
     report(now);
-    // Steps lift forces; they do not aim at membranes.
-    if (now.forces_do() || !improve(result, now)) return;
+    if (now.valid()) return;
+    const bool drawn = static_cast<int>(result.steps.size()) <= max_steps_ && draw_pins_out(now);
+    // Steps beyond what forces need do not aim at membranes.
+    if (now.forces_do() && !drawn) return;
+    if (drawn) {
+      now = tracked_.judge();
+      result.steps.push_back({now.weak, now.least, now.floor, false, false});
+    }
+    if (!improve(result, now) && !drawn) return;
   }
 }
 

@@ -166,6 +166,17 @@ TEST(Repair, LiftsTheFloorOfTheUnilateralProblem) {
   EXPECT_TRUE(verify_design(result.design, {}).unilateral.feasible);
 }
 
+TEST(Repair, DrawsPinsOutWhereAMembraneCutsIntoABody) {
+  Design design = laid_out(test::dome(4, 7, 25));
+  design.parameters.H_pin = 0.5;
+  const VerificationReport before = verify_design(design, {});
+  ASSERT_LT(before.physics.clearance_mm, 0);
+  const RepairResult result = repair_design(design, {});
+  EXPECT_EQ(result.solve.status, SolveStatus::converged);
+  expect_constraints_kept(result.design);
+  EXPECT_GT(verify_design(result.design, {}).physics.clearance_mm, 0);
+}
+
 TEST(Repair, SaysWhatBlocksTheImpossible) {
   Design design = small_dome();
   design.parameters.f_min_ratio = 0.95;  // all points nearly alike: no dome does that
