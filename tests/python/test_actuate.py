@@ -4,8 +4,6 @@
 import dataclasses
 import json
 import re
-import sys
-from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -23,9 +21,6 @@ from curveups.report.html import WORDS
 from curveups.stages import RISEN, asked_by
 from curveups.stages.actuation import RELAXED, STATES, findings
 from curveups.stages.stage import Job
-
-sys.path.insert(0, str(Path(__file__).parents[1] / "benchmarks"))
-import actuated  # noqa: E402
 
 FILES = {"frames.json", "frames.fold", "actuation.html", "small-cap-built.step"}
 
@@ -244,20 +239,6 @@ def test_the_report_plays_the_path_where_there_is_one(project, tmp_path):
     other.parameters = parameters
     assert "<canvas" not in report(other, tmp_path, (), Job()).read_text("utf-8")
     assert "actuation" not in json.loads((tmp_path / "report.json").read_text("utf-8"))
-
-
-def test_a_row_of_the_benchmark_fits_the_table_of_the_page(project, tmp_path):
-    block, page = project.latest(RISEN).block, tmp_path / "actuation.md"
-    page.write_text((actuated.DOCS / "actuation.md").read_text("utf-8"), "utf-8")
-    row = {**block, "name": "small, little friction", "tiles": 24, "friction_needed": 0.125,
-           "seconds": (1.25, 2.5), "pressed": {**block["pressed"], "converged": False}}
-    actuated.renew([row], page, {"actuation": actuated.cells})
-    lines = page.read_text("utf-8").splitlines()
-    head = next(line for line in lines if line.startswith("| design | tiles | needs |"))
-    cells, = (line.split("|") for line in lines if line.startswith("| small, "))
-    assert len(cells) == len(head.split("|")) and cells[7].strip() == "no rest"
-    assert cells[3].strip() == "0.12"
-    assert cells[5].strip().startswith(f"{block['by_itself']['mean_mm']:.2f}, ")
 
 
 def stopped_after(count):

@@ -3,15 +3,12 @@
 
 import json
 import math
-import os
 import re
-import shutil
-import subprocess
 import zipfile
 
 import numpy as np
 import pytest
-from running import ROOT, command, dome, environment
+from running import ROOT, dome
 from schema import FILES, check_design, check_report
 
 
@@ -249,18 +246,3 @@ def test_the_3mf_names_bodies_and_materials(printed):
     assert {(name, colours[int(k)][0]) for name, k in used} == {
         ("T", "tiles (rigid)"), ("Support", "support (soluble)"), ("Anchor", "anchors (rigid)")}
     assert len(used) == report["print"]["bodies"]
-
-
-def test_bar_on_a_terminal(cap, tmp_path):
-    if not shutil.which("script"):
-        pytest.skip("there is no script(1)")
-    try:
-        for end in os.openpty():
-            os.close(end)
-    except OSError:
-        pytest.skip("there are no pseudo-terminals (a folder with nothing mounted at /dev/pts)")
-    line = " ".join(f"'{word}'" for word in
-                    command("design", cap, "-o", tmp_path / "o", "--no-remesh", "--no-solids"))
-    done = subprocess.run(["script", "-qec", line, "/dev/null"], env=environment(),
-                          capture_output=True, stdin=subprocess.DEVNULL)
-    assert re.search(rb"\r\033\[K\[[#.]+\] +[0-9]+ % layout", done.stdout), done.stdout

@@ -145,7 +145,7 @@ def test_a_second_signal_ends_at_once():
             signal.raise_signal(signal.SIGINT)
 
 
-def test_the_bar_of_work_whose_end_is_not_known_moves(monkeypatch):
+def test_a_terminal_shows_a_bar_that_moves_where_the_end_is_not_known(monkeypatch):
     class Terminal(io.StringIO):
         def isatty(self):
             return True
@@ -156,5 +156,6 @@ def test_the_bar_of_work_whose_end_is_not_known_moves(monkeypatch):
     for now in range(4):
         monkeypatch.setattr("curveups.base.progress.time.monotonic", lambda: 100.0 + now)
         assert bar("reading the target", -1.0)
+    assert bar("layout", 0.5) and "\r\033[K[" + "#" * 15 + "." * 15 + "]  50 % layout" in shown.getvalue()
     drawn = re.findall(r"\[(-*#-*)\] reading the target", shown.getvalue())
     assert len(set(drawn)) == 4 and {len(line) for line in drawn} == {Reporter.WIDTH}

@@ -65,7 +65,7 @@ def asked(path):
             layout = [name for name in from_target.out_of_date("design") or ()
                       if name in BY_NAME or not by_name(name).keeps_layout]
             # The command line made solids and checked them, which no document keeps.
-            judging = [name for name, stage in BY_NAME.items() if stage.has_a_say(parameters) and (
+            judging = [name for name, stage in BY_NAME.items() if stage.contributes(parameters) and (
                 standing.out_of_date(name) or standing.out_of_date(name) is None
                 and row.keeps_layout and row.name in stage.parameters(parameters))]
             found[row.name] = {part for part, stale in (

@@ -72,10 +72,10 @@ def python() -> str:
 def environment() -> dict[str, str]:
     """Environment of a process that imports this package and FreeCAD as this one does."""
     paths = [str(Path(__file__).parents[2]), os.environ.get("PYTHONPATH", "")]
-    found = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, paths)), "PYTHONSAFEPATH": "1"}
+    variables = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, paths)), "PYTHONSAFEPATH": "1"}
     loaded = sys.modules.get("FreeCAD")
     file = getattr(loaded, "__file__", None)
     folder = os.path.dirname(file) if file else loaded and os.path.join(loaded.getHomePath(), "lib")
     if folder:
-        found.setdefault("CURVEUPS_FREECAD_LIB", folder)
-    return found
+        variables.setdefault("CURVEUPS_FREECAD_LIB", folder)
+    return variables

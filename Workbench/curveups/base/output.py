@@ -30,10 +30,10 @@ def require_folder_name(path: Path) -> None:
     """Raises CurveUpsError, before any work is done, for a path that can't become a folder."""
     for place in (path, *path.parents):
         try:
-            there, folder = place.exists(), place.is_dir()
+            exists, folder = place.exists(), place.is_dir()
         except OSError as error:  # a folder above may not be entered, or the name is too long
             raise _unusable(path, error) from error
-        if there:
+        if exists:
             if not folder:
                 raise CurveUpsError(
                     "the output folder is a file" if place == path else "a file is in the way",

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Reads profiles and materials: named sets of parameters, in files as `--config` takes them. A profile suits
-a kind of printer. A material says of each number where it is from and between what it varies."""
+a kind of printer. A material gives the source and the range of each number."""
 
 from __future__ import annotations
 

@@ -133,7 +133,7 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "stopped.unchecked": "stopped before all solids were checked",
     "refused": "{what} ({where}): {remedy}",
     "doubt": "the design is {state}: {reasons:; }",
-    # What a document says of a design that its results are not of.
+    # Results in a document that are out of date.
     "changed.divided": "{names} changed since the target was divided: Solve brings it up to date",
     "changed.solved": "{names} changed since the layout was solved: Solve brings it up to date",
     "changed.built": "{names} changed since this was built: BuildSolids brings it up to date",

@@ -166,7 +166,7 @@ def verdict_changes(keys: Keys, values: Mapping[str, Any]) -> list[Finding]:
     names: dict[str, None] = {}
     for stage, record in keys.records.items():
         made_from = {name: text.strip("'") for name, text in record.key.items()}
-        if stage in BY_NAME and any(map(BY_NAME[stage].has_a_say, (values, made_from))):
+        if stage in BY_NAME and any(map(BY_NAME[stage].contributes, (values, made_from))):
             found = changes(stage, keys.records, values, ("design",)) or ()
             names.update((name, None) for name in found if not _is_result(name))
     return _changed("changed.judged", tuple(names))

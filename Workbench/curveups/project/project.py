@@ -175,7 +175,7 @@ class Project:
     def forget_stopped(self) -> None:
         """Drops results of stopped work, so that they are made anew."""
         with self._reading:
-            self._made = {name: one for name, one in self._made.items() if not one.result.stopped}
+            self._made = {name: made for name, made in self._made.items() if not made.result.stopped}
 
     def given(self) -> dict[str, Made]:
         """Given results."""
@@ -184,7 +184,7 @@ class Project:
 
     def forget_out_of_date(self) -> None:
         """Drops results whose inputs have changed."""
-        kept = {name: one for name, one in self.made().items() if self.out_of_date(name) == ()}
+        kept = {name: made for name, made in self.made().items() if self.out_of_date(name) == ()}
         with self._reading:
             self._made = kept
 
@@ -236,7 +236,7 @@ class Project:
 
 
 def _records(made: Mapping[str, Made]) -> Records:
-    return {name: one.record for name, one in made.items()}
+    return {name: item.record for name, item in made.items()}
 
 
 def _decided(names: Iterable[str], records: Records, parameters: Any) -> Any:
@@ -299,5 +299,5 @@ class _Run:
     def results(self) -> Results:
         """All results, with their parameters."""
         made = {name: self.made[name] for name in (*self.given, *BY_NAME) if name in self.made}
-        stopped = self.job.stopped or any(one.result.stopped for one in made.values())
+        stopped = self.job.stopped or any(item.result.stopped for item in made.values())
         return Results(self.name, _decided(made, _records(made), self.parameters), made, self.note, stopped)

@@ -73,18 +73,19 @@ class _Run(threading.Thread):
             self._before = None
         try:
             with translated():
-                found = Outcome(self._work(self.job))
+                outcome = Outcome(self._work(self.job))
         except Stopped:
-            found = Outcome()
+            outcome = Outcome()
         except Exception as error:
-            found = Outcome(error=error)
-        except BaseException as error:  # a thread has nobody else to tell
-            found = Outcome(error=CurveUpsError(f"unexpected {type(error).__name__}", "", "please report it"))
-        # The job and this hold one another: results would stay until Python collects garbage, a long pause.
+            outcome = Outcome(error=error)
+        except BaseException as error:  # nobody else observes the thread
+            unexpected = f"unexpected {type(error).__name__}"
+            outcome = Outcome(error=CurveUpsError(unexpected, "", "please report it"))
+        # The job refers to this thread: without the cycle, results are freed at once, without a long pause.
         self.job.progress = self.job.listen = None
         del self._work
         self._ended = time.perf_counter()
-        self.outcome = found
+        self.outcome = outcome
 
     def status(self) -> Status:
         stage, what, fraction = self._said

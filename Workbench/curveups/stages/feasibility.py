@@ -144,7 +144,7 @@ def examine(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any) ->
         (of_least, TOO_NARROW, "stretch", "", True), (of_most, TOO_SLACK, "stretch", "", True, True),
         (np.bincount(pairs, minlength=count).astype(float), 0.0, "overlap", "", False, True))
     return Feasibility(
-        V, F, tuple(sorted(blocked, key=lambda one: one.tile)),
+        V, F, tuple(sorted(blocked, key=lambda obstacle: obstacle.tile)),
         tuple(TileFigure(name, *figure) for name, figure in zip(MARGINS, figures)), contacts,
         np.asarray(margins.dihedral), dihedral_margin, least_dihedral_margin, np.asarray(margins.back_scale),
         share, pin_area - get("A_pin_min"), clearance, stretch, ranges,

@@ -55,12 +55,12 @@ def _run(inputs: Inputs, job: Job) -> Layout:
             first.append(time.perf_counter() - start)
         return job(what, fraction)
 
-    found = native.solve_layout(smoothed.V, target.F, edges, inputs.parameters, progress,
-                                job.listener("layout"))
-    design = native.Design(inputs["source"].name, inputs.parameters, smoothed.V, target.F, found.T, found.q,
-                           edges,
-                           None if smoothed.moved is None else (inputs["target smoothing"].V, target.F))
-    return Layout(design, found.stopped, found.block, first[0] if first else 0.0)
+    laid_out = native.solve_layout(smoothed.V, target.F, edges, inputs.parameters, progress,
+                                   job.listener("layout"))
+    moved_from = None if smoothed.moved is None else (inputs["target smoothing"].V, target.F)
+    design = native.Design(inputs["source"].name, inputs.parameters, smoothed.V, target.F, laid_out.T,
+                           laid_out.q, edges, moved_from)
+    return Layout(design, laid_out.stopped, laid_out.block, first[0] if first else 0.0)
 
 
 STAGE = Stage("layout", ("source", "target", "target smoothing", "cuts", "pin smoothing"),

@@ -46,7 +46,7 @@ class Pieces(Result):
 
 
 def _run(inputs: Inputs, job: Job) -> Pieces:
-    design, found = inputs["design"].design, inputs["verification"]
+    design, verification = inputs["design"].design, inputs["verification"]
     piece = np.asarray(native.pieces_of_faces(design.V, design.F, design.cuts))
     count = int(piece.max(initial=0)) + 1
     if count == 1:
@@ -54,54 +54,31 @@ def _run(inputs: Inputs, job: Job) -> Pieces:
     corners = design.V[design.F]
     cross = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     area = np.linalg.norm(cross, axis=1) / 200  # cm2
-    said = (*inputs["figures"].reasons(), *found.reasons())
-    apart = inputs.parameters.get("pieces") != "1"
-    judged = found.judged and not found.failure
+    cut = {(min(pair), max(pair)) for pair in design.cuts.tolist()}
+    pairs = np.asarray(verification.arrays.get("contact_tiles", ()), int).reshape(-1, 2)
+    reasons_of_all = (*inputs["figures"].reasons(), *verification.reasons())
+    judged = verification.judged and not verification.failure
     pieces: list[Piece] = []
     weak: list[Finding] = []
     for number in range(count):
-        own = np.flatnonzero(piece == number)
-        forces = _forces(found, piece, number, inputs.parameters.get("f_min_ratio"))
-        mean, least, f_min = forces or (None, None, None)
-        # A piece of its own has to hold by its own mean force, which may exceed that of all pieces.
-        alone = _weakness(found, piece, number, forces) if apart and judged and forces else None
-        weak += [alone] if alone else []
-        reasons = (*(reason for reason in said if reason.concerns(own.tolist())), *([alone] if alone else []))
-        pieces.append(Piece(int(own[0]), len(own), _contacts(design, piece, number), float(area[own].sum()),
-                            mean, least, f_min, not reasons if judged else None, reasons))
+        tiles, contacts = np.flatnonzero(piece == number), np.flatnonzero(piece[pairs[:, 0]] == number)
+        reasons = [reason for reason in reasons_of_all if reason.concerns(tiles.tolist())]
+        mean = least = f_min = None
+        if len(contacts):
+            mean = float(verification.arrays["contact_normal_mean"][contacts].mean())
+            normal = verification.arrays["contact_normal_min"][contacts]
+            least, f_min = float(normal.min()), inputs.parameters.get("f_min_ratio") * max(0.0, mean)
+            # A piece of its own has to hold by its own mean force, which may exceed that of all pieces.
+            of_all = max(0.0, verification.blocks["contact_forces"]["f_min"])
+            if inputs.parameters.get("pieces") != "1" and judged and of_all <= least < f_min:
+                a, b = pairs[contacts[normal.argmin()]].tolist()
+                weak.append(Finding.about("piece_weak", (a, b), piece=number + 1, contact=((a, b),),
+                                          least=least, f_min=f_min))
+                reasons.append(weak[-1])
+        pieces.append(Piece(int(tiles[0]), len(tiles), len(interior_edges(design.F[tiles]) - cut),
+                            float(area[tiles].sum()), mean, least, f_min, not reasons if judged else None,
+                            tuple(reasons)))
     return Pieces(tuple(pieces), tuple(weak))
-
-
-def _contacts(design: Any, piece: np.ndarray, number: int) -> int:
-    """Number of edges between two tiles of the piece that are not cut."""
-    cut = {(min(pair), max(pair)) for pair in design.cuts.tolist()}
-    return len(interior_edges(design.F[piece == number]) - cut)
-
-
-def _own(found: Any, piece: np.ndarray, number: int) -> np.ndarray:
-    """Indices of the contacts of a piece."""
-    pairs = np.asarray(found.arrays.get("contact_tiles", ()), int).reshape(-1, 2)
-    return np.flatnonzero(piece[pairs[:, 0]] == number)
-
-
-def _forces(found: Any, piece: np.ndarray, number: int, ratio: float) -> Optional[tuple[float, float, float]]:
-    """Mean, least and required normal force of a piece, N; None without contacts."""
-    own = _own(found, piece, number)
-    if not len(own):
-        return None
-    mean = float(np.mean(found.arrays["contact_normal_mean"][own]))
-    return mean, float(np.min(found.arrays["contact_normal_min"][own])), ratio * max(0.0, mean)
-
-
-def _weakness(found: Any, piece: np.ndarray, number: int, forces: tuple[float, float, float]
-              ) -> Optional[Finding]:
-    """Reason for which a piece does not hold by itself, though the whole design does; or None."""
-    _, least, f_min = forces
-    if not max(0.0, found.blocks["contact_forces"]["f_min"]) <= least < f_min:
-        return None
-    own = _own(found, piece, number)
-    a, b = map(int, found.arrays["contact_tiles"][own[np.argmin(found.arrays["contact_normal_min"][own])]])
-    return Finding.about("piece_weak", (a, b), piece=number + 1, contact=((a, b),), least=least, f_min=f_min)
 
 
 STAGE = Stage("pieces", ("design", "figures", "verification"), frozenset({"pieces", "physics"}), _run,

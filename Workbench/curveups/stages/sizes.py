@@ -54,9 +54,9 @@ class Limits(Result):
         yield Finding("limits.estimated")
 
 
-def unhindered(found: Feasibility) -> bool:
+def unhindered(margins: Feasibility) -> bool:
     """True where no obstacle depends on sizes: closed surfaces stay closed."""
-    return all(one.obstacle == "closed" for one in found.blocked)
+    return all(obstacle.obstacle == "closed" for obstacle in margins.blocked)
 
 
 def can_remesh(target: Any, cuts: CutRequest) -> bool:

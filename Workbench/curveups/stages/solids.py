@@ -25,14 +25,11 @@ class Bodies(Result):
     lasting: ClassVar[bool] = False
     model: Optional[Any] = None        # native PrintModel; None where the work was stopped or failed
     warned: tuple[Finding, ...] = ()
-    failure: Optional[Finding] = None  # why there are none
+    broken: tuple[Finding, ...] = ()   # why there are none
     joints: Mapping[str, Any] = field(default_factory=dict)  # block of report.json, with joint=holes
 
     def report(self) -> dict[str, Any]:
         return {"joints": dict(self.joints)} if self.joints else {}
-
-    def reasons(self) -> Sequence[Finding]:
-        return (self.failure,) if self.failure else ()
 
     def rows(self, seconds: float) -> Sequence[Row]:
         return (Row("solids", seconds),) if self.model else ()
@@ -50,10 +47,7 @@ class Solids(Result):
 
     lasting: ClassVar[bool] = False
     model: Optional[Any] = None
-    failure: Optional[Finding] = None
-
-    def reasons(self) -> Sequence[Finding]:
-        return (self.failure,) if self.failure else ()
+    broken: tuple[Finding, ...] = ()
 
     @property
     def kinds(self) -> tuple[str, ...]:
@@ -88,10 +82,10 @@ def _lacks(model: Any) -> list[Finding]:
 
 PARTS = frozenset({"tiles", "bodies", "support", "files"})
 BODIES = Stage("bodies", ("design",), PARTS, _make, on_stop=lambda stage, inputs: Bodies(),
-               on_failure=lambda error, inputs: Bodies(failure=failed("unprintable", error)),
+               on_failure=lambda error, inputs: Bodies(broken=(failed("unprintable", error),)),
                label="Bodies", asked_by=("build", "print"), judges=True)
 STAGE = Stage("solids", ("bodies",), frozenset(), _build, on_stop=lambda stage, inputs: Solids(),
-              on_failure=lambda error, inputs: Solids(failure=failed("unbuilt", error)),
+              on_failure=lambda error, inputs: Solids(broken=(failed("unbuilt", error),)),
               label="Solids", asked_by=("build", "print"), judges=True)
 
 

@@ -161,7 +161,7 @@ class Stage:
         """Names of the parameters that it reads at these values."""
         return _parameters_of(self.parts(values) if callable(self.parts) else self.parts)
 
-    def has_a_say(self, values: Any) -> bool:
+    def contributes(self, values: Any) -> bool:
         """True where the verdict depends on it at these values of the parameters."""
         return self.judges(values) if callable(self.judges) else self.judges
 
@@ -174,13 +174,9 @@ def _parameters_of(parts: frozenset[str]) -> tuple[str, ...]:
 def moved_vertices(before: np.ndarray, after: np.ndarray, F: np.ndarray) -> list[dict[str, Any]]:
     """Entry for each vertex that moved: number, adjacent tiles, distance (mm); the farthest first."""
     far = np.linalg.norm(after - before, axis=1)
-    order = sorted(np.nonzero(far > 0)[0].tolist(), key=lambda v: (-far[v], v))
-    around: dict[int, list[int]] = {v: [] for v in order}
-    for tile, corners in enumerate(F.tolist()):
-        for v in corners:
-            if v in around:
-                around[v].append(tile)
-    return [{"vertex": v, "tiles": around[v], "mm": float(far[v])} for v in order]
+    order = sorted(np.flatnonzero(far).tolist(), key=lambda v: (-far[v], v))
+    return [{"vertex": v, "tiles": np.flatnonzero((F == v).any(axis=1)).tolist(), "mm": float(far[v])}
+            for v in order]
 
 
 def digest(*parts: Any) -> str:

@@ -24,7 +24,7 @@ class Verification(Result):
     failure: Optional[Finding] = None  # why it failed: the design is not valid
     valid: bool = False
     blocks: Mapping[str, Any] = field(default_factory=dict)
-    found: tuple[Finding, ...] = ()    # reasons
+    broken: tuple[Finding, ...] = ()   # reasons
     warned: tuple[Finding, ...] = ()
     complete: bool = True              # False without a verdict: weak points end the work early
     design: Any = None                 # native Design, for pictures
@@ -55,9 +55,6 @@ class Verification(Result):
         return [{"tiles": [int(tile) for tile in self.arrays["contact_tiles"][k]],
                  **{name: float(self.arrays[f"contact_{name}"][k])
                     for name in ("normal_min", "normal_mean", "friction_ratio")}} for k in order]
-
-    def reasons(self) -> Sequence[Finding]:
-        return (self.failure,) if self.failure else self.found
 
     def rows(self, seconds: float) -> Sequence[Row]:
         if not self.judged:
@@ -107,7 +104,7 @@ def verification_of(report: Any, design: Any) -> Verification:
              "tile_normal_force")
     sides = tuple({name: np.asarray(getattr(side, name)) for name in SIDE_ARRAYS}
                   for side in report.membranes)
-    return Verification(valid=report.valid, blocks=report.blocks, found=all_of(report.reasons),
+    return Verification(valid=report.valid, blocks=report.blocks, broken=all_of(report.reasons),
                         warned=all_of(report.warnings), complete=report.complete, design=design,
                         arrays={name: np.asarray(getattr(report, name)) for name in names}, membranes=sides,
                         solved=report.solved)
@@ -141,7 +138,8 @@ def _verify_design(inputs: Inputs, job: Job) -> Verification:
 
 def _failed(error: CurveUpsError, inputs: Inputs) -> Verification:
     # Files of the layout are written; without a verdict it must not pass as valid.
-    return Verification(failure=failed("verification_failed", error))
+    failure = failed("verification_failed", error)
+    return Verification(failure=failure, broken=(failure,))
 
 
 def _stopped(stage: str, inputs: Inputs) -> Verification:
