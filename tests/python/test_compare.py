@@ -151,7 +151,7 @@ def test_a_coarse_mesh_covers_all_tiles(piece, tmp_path):
     (tmp_path / "scan.obj").write_text(obj_text(np.asarray(piece.V), np.asarray(piece.F)))
     points = read_scan(tmp_path / "scan.obj", len(piece.F)).points
     assert native.distances(points, piece.V, piece.F).max() < 1e-6
-    owners = native.closest_faces(points[len(piece.V):], piece.V, piece.F)
+    owners = native.closest_points(points[len(piece.V):], piece.V, piece.F)[1]
     counts = np.bincount(owners, minlength=len(piece.F))
     assert (counts >= PER_TILE).all() and counts.max() < 3 * SAMPLED
 

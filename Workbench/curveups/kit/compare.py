@@ -116,7 +116,7 @@ def compare(design: Any, scan: Scan, job: Job) -> dict[str, Any]:
     if markers:
         owners, away = scan.tiles, np.linalg.norm(points - targets, axis=1)
     else:
-        owners, away = native.closest_faces(points, V, F), native.distances(points, V, F)
+        owners, away = native.closest_points(points, V, F)[1], native.distances(points, V, F)
     corners = V[F[owners]]
     out = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     signed = np.copysign(away, ((points - corners[:, 0]) * out).sum(1))

@@ -117,7 +117,7 @@ def surface_of_shape(shape: Any, deflection: float, choice: Choice, where: str) 
     if chosen.opposite:
         other = triangles_of_shape(part.Compound(chosen.opposite), deflection, where)
         with translated(where):
-            V = (V + native.closest_points(V, *other)) / 2
+            V = (V + native.closest_points(V, *other)[0]) / 2
     return Read(V, F, tuple(chosen.notes), chosen.wall, sharp)
 
 

@@ -82,11 +82,10 @@ void bind_actuation(py::module_& module) {
       .def_readonly("frames", &ActuatedDesign::frames);
   module.def(
       "actuate_design",
-      [](const Design& design, py::object progress) {
-        return without_gil(std::move(progress),
-                           [&](const Progress& sink) { return actuate_design(design, {}, sink); });
+      [](const Design& design, const Progress& progress) {
+        return actuate_design(design, {}, ProgressScope(progress).sink());
       },
-      py::arg("design"), py::arg("progress") = py::none(),
+      py::arg("design"), py::arg("progress") = py::none(), Released(),
       "Relaxes a piece without friction, releases it from flat, shakes it, presses it over its "
       "former and lets it go.");
 }

@@ -15,18 +15,7 @@ TileShapes shapes_at(const NumbersIn& V, const IndicesIn& F, const IndicesIn& cu
   const CutMesh target = read_cut_mesh(V, F, cuts);
   const FlatCorners corners = T ? read_blocks(*T, "T", 3, 2) : FlatCorners(0, 6);
   const Array6 insets = q ? read_blocks(*q, "q", 2, 3) : Array6(0, 6);
-  const py::gil_scoped_release release;
   return tile_shapes(target.mesh, target.cuts, parameters, corners, insets);
-}
-
-// Rows of numbers as blocks, without a copy: the array keeps its owner alive.
-template <class Matrix>
-py::array_t<double> blocks(const py::object& owner, const Matrix& m,
-                           std::vector<py::ssize_t> shape) {
-  shape.insert(shape.begin(), m.rows());
-  py::array_t<double> out(shape, m.data(), owner);
-  out.attr("setflags")(py::arg("write") = false);
-  return out;
 }
 
 // As report.json has it.
@@ -44,12 +33,6 @@ py::dict bound_block(const RelaxedBound& bound) {
 }  // namespace
 
 const char* side_name(Side side) { return side == Side::front ? "front" : "back"; }
-
-py::array_t<double> to_blocks(const Array6& m, int a, int b) {
-  return py::array_t<double>({static_cast<py::ssize_t>(m.rows()), static_cast<py::ssize_t>(a),
-                              static_cast<py::ssize_t>(b)},
-                             m.data());
-}
 
 void bind_design(py::module_& module) {
   py::class_<Design>(module, "Design",
@@ -96,16 +79,22 @@ void bind_design(py::module_& module) {
           "parameters", [](const Design& d) { return d.parameters; }, "A copy.")
       .def_property_readonly("V", [](const Design& d) { return d.mesh.V; })
       .def_property_readonly("F", [](const Design& d) { return d.mesh.F; })
-      .def_property_readonly("T", [](const Design& d) { return to_blocks(d.T, 3, 2); })
-      .def_property_readonly("q", [](const Design& d) { return to_blocks(d.q, 2, 3); })
+      .def_property_readonly("T",
+                             [](const Design& d) {
+                               return to_blocks(d.T, {3, 2});
+                             })
+      .def_property_readonly("q",
+                             [](const Design& d) {
+                               return to_blocks(d.q, {2, 3});
+                             })
       .def_property_readonly("cuts", [](const Design& d) { return d.cuts; })
       .def_property_readonly("target", [](const Design& d) -> py::object {
         if (!d.target) return py::none();
         return py::make_tuple(d.target->V, d.target->F);
       });
-  module.def("write_design", &write_design, py::arg("design"),
-             py::call_guard<py::gil_scoped_release>(), "The text of design.json.");
-  module.def("read_design", &read_design, py::arg("text"), py::call_guard<py::gil_scoped_release>(),
+  module.def("write_design", &write_design, py::arg("design"), Released(),
+             "The text of design.json.");
+  module.def("read_design", &read_design, py::arg("text"), Released(),
              "Reads the text of design.json; raises InvalidInput naming the field.");
 
   py::class_<SmallPin>(module, "SmallPin", "A pin side of less than A_pin_min.")
@@ -146,32 +135,39 @@ void bind_design(py::module_& module) {
       .def_readonly("constraints", &DesignFigures::constraints)
       .def_readonly("reasons", &DesignFigures::reasons,
                     "Reasons for which the design is not valid; none: these figures hold.");
-  module.def("evaluate_design", &evaluate_design, py::arg("design"),
-             py::call_guard<py::gil_scoped_release>(),
+  module.def("evaluate_design", &evaluate_design, py::arg("design"), Released(),
              "Counts, areas and how well the hard constraints hold, from the design alone. Raises "
              "InfeasibleDesign where its tiles can't be made.");
 
   using Shapes = TileShapes;
-  const auto corners = [](Shapes::Corners Shapes::*member) {
-    return [member](const py::object& self) {
-      return blocks(self, self.cast<const Shapes&>().*member, {6, 3});
-    };
-  };
-  const auto pins = [](Shapes::Pins Shapes::*member) {
-    return [member](const py::object& self) {
-      return blocks(self, self.cast<const Shapes&>().*member, {2, 6, 3});
-    };
-  };
   py::class_<Shapes>(module, "TileShapes",
                      "Corners of tiles and pins, mm: of a tile the three front ones in the order "
                      "of F, then those below them; of a pin three at its foot, then three at its "
                      "end. Flat: front faces at z = 0. Tiles are not truncated.")
-      .def_property_readonly("actuated", corners(&Shapes::actuated), "M x 6 x 3.")
-      .def_property_readonly("flat", corners(&Shapes::flat), "M x 6 x 3; empty without T.")
-      .def_property_readonly("actuated_pins", pins(&Shapes::actuated_pins),
-                             "M x 2 x 6 x 3, front and back; empty without q.")
-      .def_property_readonly("flat_pins", pins(&Shapes::flat_pins),
-                             "M x 2 x 6 x 3; empty without T or q.")
+      .def_property_readonly(
+          "actuated",
+          [](const Shapes& s) {
+            return to_blocks(s.actuated, {6, 3});
+          },
+          "M x 6 x 3.")
+      .def_property_readonly(
+          "flat",
+          [](const Shapes& s) {
+            return to_blocks(s.flat, {6, 3});
+          },
+          "M x 6 x 3; empty without T.")
+      .def_property_readonly(
+          "actuated_pins",
+          [](const Shapes& s) {
+            return to_blocks(s.actuated_pins, {2, 6, 3});
+          },
+          "M x 2 x 6 x 3, front and back; empty without q.")
+      .def_property_readonly(
+          "flat_pins",
+          [](const Shapes& s) {
+            return to_blocks(s.flat_pins, {2, 6, 3});
+          },
+          "M x 2 x 6 x 3; empty without T or q.")
       .def_readonly("contacts", &Shapes::contacts, "N x 2 tiles.")
       .def_readonly("contact_sides", &Shapes::contact_sides,
                     "N x 2, which edge (0 to 2) of each of the two tiles.");
@@ -180,11 +176,11 @@ void bind_design(py::module_& module) {
       [](const Design& design) {
         return tile_shapes(design.mesh, design.cuts, design.parameters, design.T, design.q);
       },
-      py::arg("design"), py::call_guard<py::gil_scoped_release>(),
+      py::arg("design"), Released(),
       "Corners of a design's tiles and pins in both configurations.");
   module.def("tile_shapes_at", &shapes_at, py::arg("V"), py::arg("F"), py::arg("cuts"),
              py::arg("parameters"), py::arg("T") = py::none(), py::arg("q") = py::none(),
-             "The same for a target (actuated tiles alone) or an iterate of a solver.");
+             Released(), "The same for a target (actuated tiles alone) or an iterate of a solver.");
 }
 
 }  // namespace curveups::bindings

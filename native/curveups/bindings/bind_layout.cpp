@@ -9,23 +9,19 @@ namespace curveups::bindings {
 namespace {
 
 LayoutResult lay_out(const NumbersIn& V, const IndicesIn& F, const IndicesIn& cuts,
-                     const Parameters& parameters, py::object progress, py::object on_iterate) {
+                     const Parameters& parameters, const Progress& progress,
+                     const std::optional<Listener>& on_iterate) {
   const CutMesh target = read_cut_mesh(V, F, cuts);
-  PythonCallback callback(std::move(on_iterate));
-  LayoutResult result =
-      without_gil(std::move(progress), [&, listener = callback.listener()](const Progress& sink) {
-        const DesignGeometry geometry = make_geometry(target.mesh, target.cuts, parameters);
-        LayoutCallback by_corners;
-        if (listener) {
-          by_corners = [&](const FlatPoses& poses, const Array6& q, double energy,
-                           double violation) {
-            return listener(flat_corners(geometry.tiles, poses), q, energy, violation);
-          };
-        }
-        return solve_layout(geometry, parameters, sink, LayoutEffort::full, by_corners);
-      });
-  callback.rethrow();
-  return result;
+  const ProgressScope scope(progress);
+  const DesignGeometry geometry = make_geometry(target.mesh, target.cuts, parameters);
+  LayoutCallback callback;
+  if (const auto listener = native_listener(on_iterate)) {
+    callback = [listener, &geometry](const FlatPoses& poses, const Array6& q, double energy,
+                                     double violation) {
+      return listener(flat_corners(geometry.tiles, poses), q, energy, violation);
+    };
+  }
+  return solve_layout(geometry, parameters, scope.sink(), LayoutEffort::full, callback);
 }
 
 }  // namespace
@@ -40,12 +36,20 @@ void bind_layout(py::module_& module) {
       .figure("energies", &LayoutResult::energies)
       .def_property_readonly("stopped", [](const LayoutResult& r) { return r.solve.stopped(); })
       .def_property_readonly(
-          "T", [](const LayoutResult& r) { return to_blocks(r.T, 3, 2); }, "M x 3 x 2, mm.")
+          "T",
+          [](const LayoutResult& r) {
+            return to_blocks(r.T, {3, 2});
+          },
+          "M x 3 x 2, mm.")
       .def_property_readonly(
-          "q", [](const LayoutResult& r) { return to_blocks(r.q, 2, 3); }, "M x 2 x 3, mm.");
+          "q",
+          [](const LayoutResult& r) {
+            return to_blocks(r.q, {2, 3});
+          },
+          "M x 2 x 3, mm.");
   module.def(
       "solve_layout", &lay_out, py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
-      py::arg("progress") = py::none(), py::arg("on_iterate") = py::none(),
+      py::arg("progress") = py::none(), py::arg("on_iterate") = py::none(), Released(),
       "Flat poses and pins for a target mesh (Eq. 9 under hard constraints). "
       "on_iterate(T, q, energy, violation) gets every iterate, the hard constraints' largest "
       "violation in mm with it, and stops the work by returning False.");
@@ -63,8 +67,7 @@ void bind_layout(py::module_& module) {
         return layout_figures(geometry, design.parameters, fit_poses(geometry.tiles, design.T),
                               design.q);
       },
-      py::call_guard<py::gil_scoped_release>(), py::arg("design"),
-      "How far a design's layout is stretched.");
+      Released(), py::arg("design"), "How far a design's layout is stretched.");
 
   py::class_<CutSuggestion>(module, "CutSuggestion", "A cut and its effect on draft layouts.")
       .def_readonly("edges", &CutSuggestion::edges)
@@ -80,15 +83,15 @@ void bind_layout(py::module_& module) {
       "suggest_cuts",
       [](const NumbersIn& V, const IndicesIn& F, const IndicesIn& cuts,
          const Parameters& parameters, int most, const std::vector<std::array<int, 2>>& weak,
-         py::object progress) {
+         const Progress& progress) {
         const CutMesh target = read_cut_mesh(V, F, cuts);
         require_tiles(weak, target.mesh.F.rows(), "weak");
-        return without_gil(std::move(progress), [&](const Progress& sink) {
-          return suggest_cuts(target.mesh, target.cuts, parameters, {most, weak}, sink);
-        });
+        return suggest_cuts(target.mesh, target.cuts, parameters, {most, weak},
+                            ProgressScope(progress).sink());
       },
       py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"), py::arg("most"),
       py::arg("weak") = std::vector<std::array<int, 2>>(), py::arg("progress") = py::none(),
+      Released(),
       "Cuts that let a target lie flat with less stretch. weak: tile pairs of weak contacts.");
 }
 

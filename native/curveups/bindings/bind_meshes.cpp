@@ -19,17 +19,19 @@
 namespace curveups::bindings {
 namespace {
 
-std::vector<ClosestPoint> closest_points(const NumbersIn& points, const NumbersIn& V,
-                                         const IndicesIn& F) {
+std::pair<Points3, Eigen::VectorXi> closest_points(const NumbersIn& points, const NumbersIn& V,
+                                                   const IndicesIn& F) {
   const Points3 from = read_points(points, "points");
-  const TriangleMesh mesh = read_mesh(V, F);
-  const py::gil_scoped_release release;
-  const ClosestPoints closest(mesh);
-  std::vector<ClosestPoint> nearest(static_cast<std::size_t>(from.rows()));
+  const ClosestPoints closest(read_mesh(V, F));
+  std::pair<Points3, Eigen::VectorXi> out{Points3(from.rows(), 3), Eigen::VectorXi(from.rows())};
   parallel_ranges(static_cast<int>(from.rows()), [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) nearest[k] = closest(from.row(k));
+    for (int k = begin; k < end; ++k) {
+      const ClosestPoint nearest = closest(from.row(k));
+      out.first.row(k) = nearest.point;
+      out.second(k) = nearest.face;
+    }
   });
-  return nearest;
+  return out;
 }
 
 // A class of a result whose `mesh` is V and F.
@@ -72,30 +74,13 @@ void bind_meshes(py::module_& module) {
       [](const NumbersIn& points, const NumbersIn& V, const IndicesIn& F) {
         const Points3 from = read_points(points, "points");
         const TriangleMesh mesh = read_mesh(V, F);
-        const py::gil_scoped_release release;
         return distances(from, ClosestPoints(mesh));
       },
-      py::arg("points"), py::arg("V"), py::arg("F"),
+      py::arg("points"), py::arg("V"), py::arg("F"), Released(),
       "Distances of points from a surface, mm, one a point.");
-  module.def(
-      "closest_points",
-      [](const NumbersIn& points, const NumbersIn& V, const IndicesIn& F) {
-        const std::vector<ClosestPoint> nearest = closest_points(points, V, F);
-        Points3 out(static_cast<Eigen::Index>(nearest.size()), 3);
-        for (Eigen::Index k = 0; k < out.rows(); ++k) out.row(k) = nearest[k].point;
-        return out;
-      },
-      py::arg("points"), py::arg("V"), py::arg("F"),
-      "The nearest points of a surface, one a point.");
-  module.def(
-      "closest_faces",
-      [](const NumbersIn& points, const NumbersIn& V, const IndicesIn& F) {
-        std::vector<int> out;
-        for (const ClosestPoint& point : closest_points(points, V, F)) out.push_back(point.face);
-        return py::array_t<int>(py::cast(out));
-      },
-      py::arg("points"), py::arg("V"), py::arg("F"),
-      "The faces (rows of F) on which the nearest points of a surface lie, one a point.");
+  module.def("closest_points", &closest_points, py::arg("points"), py::arg("V"), py::arg("F"),
+             Released(),
+             "The nearest points of a surface, one a point, and their faces (rows of F).");
   py::class_<Registration>(module, "Registration", "x -> R x + t lays a scanned point.")
       .def_property_readonly("R", [](const Registration& r) { return r.pose.R; })
       .def_property_readonly("t", [](const Registration& r) { return r.pose.t; })
@@ -107,15 +92,15 @@ void bind_meshes(py::module_& module) {
   module.def(
       "register_scan",
       [](const NumbersIn& points, const NumbersIn& V, const IndicesIn& F, double tile,
-         py::object progress) {
+         const Progress& progress) {
         const Points3 from = read_points(points, "points");
         const TriangleMesh mesh = read_mesh(V, F);
         require_positive(tile, "tile");
-        return without_gil(std::move(progress),
-                           [&](const Progress&) { return register_scan(from, mesh, tile); });
+        const ProgressScope scope(progress);
+        return register_scan(from, mesh, tile);
       },
       py::arg("points"), py::arg("V"), py::arg("F"), py::arg("tile"),
-      py::arg("progress") = py::none(),
+      py::arg("progress") = py::none(), Released(),
       "Lays scanned points onto a surface of tiles so large, mm.");
   module.def(
       "register_markers",
@@ -124,10 +109,9 @@ void bind_meshes(py::module_& module) {
         if (from.rows() != to.rows()) {
           throw InvalidInput("there are not as many targets as points", "give one a point");
         }
-        const py::gil_scoped_release release;
         return register_markers(from, to);
       },
-      py::arg("points"), py::arg("targets"), "Lays points onto targets, one a point.");
+      py::arg("points"), py::arg("targets"), Released(), "Lays points onto targets, one a point.");
   FiguresClass<Deviation>(module, "Deviation", "Distances of a surface from a target, mm.")
       .figure("mean_mm", &Deviation::mean)
       .figure("rms_mm", &Deviation::rms)
@@ -136,16 +120,15 @@ void bind_meshes(py::module_& module) {
   module.def(
       "surface_deviation",
       [](const NumbersIn& V, const IndicesIn& F, const NumbersIn& target_V,
-         const IndicesIn& target_F, py::object progress) {
+         const IndicesIn& target_F, const Progress& progress) {
         const TriangleMesh mesh = read_mesh(V, F);
         const TriangleMesh target = read_mesh(target_V, target_F, "target_V", "target_F");
-        return without_gil(std::move(progress), [&](const Progress&) {
-          checkpoint("measuring deviation");
-          return surface_deviation(mesh, target);
-        });
+        const ProgressScope scope(progress);
+        checkpoint("measuring deviation");
+        return surface_deviation(mesh, target);
       },
       py::arg("V"), py::arg("F"), py::arg("target_V"), py::arg("target_F"),
-      py::arg("progress") = py::none(), "Distances of a surface from a target.");
+      py::arg("progress") = py::none(), Released(), "Distances of a surface from a target.");
   module.def(
       "shortest_edge_path",
       [](const NumbersIn& V, const IndicesIn& F, const NumbersIn& points) {
@@ -157,10 +140,10 @@ void bind_meshes(py::module_& module) {
       "conformal_map",
       [](const NumbersIn& V, const IndicesIn& F) {
         const TriangleMesh mesh = read_mesh(V, F);
-        const py::gil_scoped_release release;
         return conformal_map(mesh);
       },
-      py::arg("V"), py::arg("F"), "Flat positions of the vertices (spectral conformal map).");
+      py::arg("V"), py::arg("F"), Released(),
+      "Flat positions of the vertices (spectral conformal map).");
   module.def(
       "triangulate_polygon",
       [](const NumbersIn& points) { return triangulate_polygon(read_points(points, "points")); },
@@ -172,25 +155,25 @@ void bind_meshes(py::module_& module) {
       .def_readonly("notes", &CleanMesh::notes);
   module.def(
       "clean_mesh",
-      [](const NumbersIn& V, const IndicesIn& F, py::object progress) {
+      [](const NumbersIn& V, const IndicesIn& F, const Progress& progress) {
         const TriangleMesh soup = read_unchecked_mesh(V, F);
-        return without_gil(std::move(progress), [&](const Progress&) { return clean_mesh(soup); });
+        const ProgressScope scope(progress);
+        return clean_mesh(soup);
       },
-      py::arg("V"), py::arg("F"), py::arg("progress") = py::none(),
+      py::arg("V"), py::arg("F"), py::arg("progress") = py::none(), Released(),
       "Merges vertices, removes degenerate and doubled faces, makes the orientation consistent.");
 
   module.def(
       "check_mesh",
-      [](const NumbersIn& V, const IndicesIn& F, double L, bool cuts_given, py::object progress,
-         bool without_crossings) {
+      [](const NumbersIn& V, const IndicesIn& F, double L, bool cuts_given,
+         const Progress& progress, bool without_crossings) {
         require_positive(L, "L");
         const TriangleMesh mesh = read_unchecked_mesh(V, F);
-        return without_gil(std::move(progress), [&](const Progress&) {
-          return check_mesh(mesh, L, cuts_given, without_crossings);
-        });
+        const ProgressScope scope(progress);
+        return check_mesh(mesh, L, cuts_given, without_crossings);
       },
       py::arg("V"), py::arg("F"), py::arg("L"), py::arg("cuts_given") = false,
-      py::arg("progress") = py::none(), py::arg("without_crossings") = false,
+      py::arg("progress") = py::none(), py::arg("without_crossings") = false, Released(),
       "Obstacles and warnings of a surface. without_crossings: do not search for faces that run "
       "through one another, as none is known to.");
 
@@ -199,14 +182,14 @@ void bind_meshes(py::module_& module) {
       .def_readonly("without_crossings", &MendedMesh::without_crossings);
   module.def(
       "mend_mesh",
-      [](const NumbersIn& V, const IndicesIn& F, double L, double hole_edge, py::object progress) {
+      [](const NumbersIn& V, const IndicesIn& F, double L, double hole_edge,
+         const Progress& progress) {
         const TriangleMesh mesh = read_unchecked_mesh(V, F);
-        return without_gil(std::move(progress), [&](const Progress&) {
-          return mend_mesh(mesh, {L, hole_edge});
-        });
+        const ProgressScope scope(progress);
+        return mend_mesh(mesh, {L, hole_edge});
       },
       py::arg("V"), py::arg("F"), py::arg("L"), py::arg("hole_edge"),
-      py::arg("progress") = py::none(),
+      py::arg("progress") = py::none(), Released(),
       "Takes non-manifold parts apart, removes crumbs and small intersections, fills holes whose "
       "edge is shorter than hole_edge mm.");
 
@@ -218,16 +201,15 @@ void bind_meshes(py::module_& module) {
 
   module.def(
       "remesh",
-      [](const NumbersIn& V, const IndicesIn& F, double L, py::object progress, double crease_angle,
-         const IndicesIn& features, double corner_reach) {
+      [](const NumbersIn& V, const IndicesIn& F, double L, const Progress& progress,
+         double crease_angle, const IndicesIn& features, double corner_reach) {
         constexpr double degree = 3.14159265358979323846 / 180;
         const TriangleMesh mesh = read_mesh(V, F);
         const Edges lines = read_edges(features, mesh.V.rows(), "features");
-        return without_gil(std::move(progress), [&](const Progress&) {
-          return remesh(mesh, {L, crease_angle * degree, lines, corner_reach});
-        });
+        const ProgressScope scope(progress);
+        return remesh(mesh, {L, crease_angle * degree, lines, corner_reach});
       },
-      py::arg("V"), py::arg("F"), py::arg("L"), py::arg("progress") = py::none(),
+      py::arg("V"), py::arg("F"), py::arg("L"), py::arg("progress") = py::none(), Released(),
       py::arg("crease_angle") = 180.0,
       py::arg("features") = IndicesIn(std::vector<py::ssize_t>{0, 2}),
       py::arg("corner_reach") = 0.0,
@@ -243,16 +225,15 @@ void bind_meshes(py::module_& module) {
   module.def(
       "divide_surface",
       [](const NumbersIn& V, const IndicesIn& F, const IndicesIn& cuts, int count,
-         py::object progress) {
+         const Progress& progress) {
         const CutMesh target = read_cut_mesh(V, F, cuts);
-        return without_gil(std::move(progress), [&](const Progress&) {
-          checkpoint("dividing into pieces");
-          const MeshTopology topology = cut_topology(target);
-          return divide_surface(target.mesh, topology, mark_cuts(topology, target.cuts), count);
-        });
+        const ProgressScope scope(progress);
+        checkpoint("dividing into pieces");
+        const MeshTopology topology = cut_topology(target);
+        return divide_surface(target.mesh, topology, mark_cuts(topology, target.cuts), count);
       },
       py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("count"),
-      py::arg("progress") = py::none(),
+      py::arg("progress") = py::none(), Released(),
       "Divides a mesh that is cut along `cuts` into `count` pieces: the piece of each face, the "
       "edges between pieces, and the slits inside of them that let each lie flat.");
   module.def(

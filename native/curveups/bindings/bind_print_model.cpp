@@ -2,8 +2,6 @@
 // The print model: figures, solids and files.
 #include "curveups/actuation/flat_piece.hpp"
 #include "curveups/bindings/arrays.hpp"
-#include "curveups/bindings/bindings.hpp"
-#include "curveups/bindings/part_shape.hpp"
 #include "curveups/bodies/body_reasons.hpp"
 #include "curveups/design/print_constants.hpp"
 #include "curveups/fabrication/body_mesh.hpp"
@@ -28,31 +26,26 @@ struct DeletedWithoutGil {
 };
 using HeldModel = std::unique_ptr<PrintModel, DeletedWithoutGil>;
 
-py::list pairs(const std::vector<UnsoundSolid>& unsound) {
-  py::list out;
-  for (const UnsoundSolid& solid : unsound) out.append(py::make_tuple(solid.body, solid.reason));
-  return out;
-}
-
-py::tuple joined(const std::vector<BodyMesh>& meshes) {
+// Points, triangles and the body of each triangle.
+std::tuple<Points3, Triangles, Eigen::VectorXi> joined(const std::vector<BodyMesh>& meshes) {
   Eigen::Index points = 0, triangles = 0;
   for (const BodyMesh& mesh : meshes) {
     points += static_cast<Eigen::Index>(mesh.points.size());
     triangles += static_cast<Eigen::Index>(mesh.triangles.size());
   }
-  Points3 V(points, 3);
-  Triangles F(triangles, 3);
-  std::vector<int> body;
-  Eigen::Index point = 0;
+  std::tuple<Points3, Triangles, Eigen::VectorXi> out{Points3(points, 3), Triangles(triangles, 3),
+                                                      Eigen::VectorXi(triangles)};
+  auto& [V, F, body] = out;
+  Eigen::Index point = 0, triangle = 0;
   for (std::size_t k = 0; k < meshes.size(); ++k) {
+    const int first = static_cast<int>(point);
     for (const auto& [a, b, c] : meshes[k].triangles) {
-      F.row(static_cast<Eigen::Index>(body.size())) << a + static_cast<int>(point),
-          b + static_cast<int>(point), c + static_cast<int>(point);
-      body.push_back(static_cast<int>(k));
+      body(triangle) = static_cast<int>(k);
+      F.row(triangle++) << a + first, b + first, c + first;
     }
     for (const Vec3& p : meshes[k].points) V.row(point++) = p;
   }
-  return py::make_tuple(V, F, py::array_t<int>(py::cast(body)));
+  return out;
 }
 
 }  // namespace
@@ -133,41 +126,43 @@ void bind_print_model(py::module_& module) {
           "Areas in the plane of the pin tops by side, mm2: pins, anchors and support.")
       .def(
           "min_clearance_flat", [](const PrintModel& m) { return min_clearance_flat(m).value; },
-          py::call_guard<py::gil_scoped_release>())
+          Released())
       .def(
           "build_solids",
-          [](PrintModel& m, py::object progress) {
-            without_gil(std::move(progress),
-                        [&](const Progress&) { return solids_of(m, "print"); });
+          [](const PrintModel& m, const Progress& progress) {
+            const ProgressScope scope(progress);
+            solids_of(m, "print");
           },
-          py::arg("progress") = py::none(),
+          py::arg("progress") = py::none(), Released(),
           "Builds all solids of the print; they are kept. Other calls do so when they need them.")
       .def(
           "judge_solids",
-          [](PrintModel& m, py::object progress) {
-            const auto unsound =
-                without_gil(std::move(progress), [&](const Progress&) { return check_solids(m); });
-            return py::make_tuple(pairs(unsound), solid_reasons(unsound));
+          [](const PrintModel& m, const Progress& progress) {
+            const ProgressScope scope(progress);
+            const auto unsound = check_solids(m);
+            std::vector<std::pair<std::string, std::string>> named;
+            for (const UnsoundSolid& solid : unsound) named.emplace_back(solid.body, solid.reason);
+            return std::make_pair(named, solid_reasons(unsound));
           },
-          py::arg("progress") = py::none(),
+          py::arg("progress") = py::none(), Released(),
           "The bodies whose solid is not valid, not closed or not of its exact volume, with why; "
           "and the reasons for which these make the design not valid.")
       .def(
           "shape",
           [](const PrintModel& m, const std::string& kind) {
-            return to_part_shape(
-                *without_gil(py::none(), [&](const Progress&) { return solids_of(m, kind); }));
+            const auto solids = [&] {
+              const py::gil_scoped_release release;
+              return solids_of(m, kind);
+            }();
+            return to_part_shape(*solids);
           },
           py::arg("kind"), "A compound of the kind's solids as a Part.Shape.")
       .def(
           "mesh",
           [](const PrintModel& m, const std::string& kind) {
-            const auto meshes = without_gil(py::none(), [&](const Progress&) {
-              return mesh_bodies(m.bodies(kind), {0.1, false});
-            });
-            return joined(meshes);
+            return joined(mesh_bodies(m.bodies(kind), {0.1, false}));
           },
-          py::arg("kind"),
+          py::arg("kind"), Released(),
           "Triangles of a kind's bodies, without bumps, for pictures: points (n x 3), triangles "
           "(m x 3, counter-clockwise seen from outside) and the body of each triangle, from 0.")
       .def(
@@ -211,13 +206,12 @@ void bind_print_model(py::module_& module) {
       .def(
           "write",
           [](const PrintModel& m, const std::string& ending, const std::string& kind,
-             const std::string& path, py::object progress) {
-            without_gil(std::move(progress), [&](const Progress&) {
-              print_format(ending).write(m, kind, path);
-              return true;
-            });
+             const std::string& path, const Progress& progress) {
+            const ProgressScope scope(progress);
+            print_format(ending).write(m, kind, path);
           },
           py::arg("ending"), py::arg("kind"), py::arg("path"), py::arg("progress") = py::none(),
+          Released(),
           "Writes a file of one kind of bodies, in the format of that ending (print_formats).");
   py::class_<PrintFormat>(module, "PrintFormat", "A format of a print's files.")
       .def_readonly("ending", &PrintFormat::ending)
@@ -235,18 +229,15 @@ void bind_print_model(py::module_& module) {
              "The kind of support that the parameters ask for.");
   module.def(
       "measure_clearances",
-      [](const Design& design, py::object progress) {
-        PairFigure flat, actuated;
-        without_gil(std::move(progress), [&](const Progress&) {
-          checkpoint("measuring clearances");
-          const TileBodies bodies = make_tile_bodies(design);
-          flat = min_clearance_flat(bodies);
-          actuated = max_overlap_actuated(bodies);
-          return true;
-        });
-        return py::make_tuple(flat.value, actuated.value, body_reasons(flat, actuated));
+      [](const Design& design, const Progress& progress) {
+        const ProgressScope scope(progress);
+        checkpoint("measuring clearances");
+        const TileBodies bodies = make_tile_bodies(design);
+        const PairFigure flat = min_clearance_flat(bodies);
+        const PairFigure actuated = max_overlap_actuated(bodies);
+        return std::make_tuple(flat.value, actuated.value, body_reasons(flat, actuated));
       },
-      py::arg("design"), py::arg("progress") = py::none(),
+      py::arg("design"), py::arg("progress") = py::none(), Released(),
       "Least distance of two tiles as printed (mm, exact, bumps included; infinite with one tile), "
       "largest volume that two share when actuated (mm3), and the reasons for which these make the "
       "design not valid: all without solids. Raises InfeasibleDesign where tiles "
@@ -254,16 +245,15 @@ void bind_print_model(py::module_& module) {
   using Points = std::vector<Vec2>;
   module.def(
       "make_print_model",
-      [](const Design& design, py::object progress, const std::vector<int>& part_of_tile,
+      [](const Design& design, const Progress& progress, const std::vector<int>& part_of_tile,
          double opening, const Points& region) {
-        return without_gil(std::move(progress), [&](const Progress&) {
-          checkpoint("building bodies");
-          return make_print_model(design, {part_of_tile, opening, region});
-        });
+        const ProgressScope scope(progress);
+        checkpoint("building bodies");
+        return make_print_model(design, {part_of_tile, opening, region});
       },
       py::arg("design"), py::arg("progress") = py::none(),
       py::arg("part_of_tile") = std::vector<int>(), py::arg("opening") = 0.0,
-      py::arg("region") = Points(),
+      py::arg("region") = Points(), Released(),
       "The print of a design; raises InfeasibleDesign, naming tiles, where it can't be made. For "
       "beds that are too small: part_of_tile, by rows of F (empty: all are one), between which "
       "slabs are cut along "

@@ -55,12 +55,11 @@ void bind_settled(py::module_& module) {
       .def_readonly("iterations", &Settled::iterations);
   module.def(
       "settle_design",
-      [](const Design& design, py::object progress, const SolvedPtr& solved) {
-        return without_gil(std::move(progress), [&](const Progress& sink) {
-          return settle_design(design, sink, solved);
-        });
+      [](const Design& design, const Progress& progress, const SolvedPtr& solved) {
+        return settle_design(design, ProgressScope(progress).sink(), solved);
       },
       py::arg("design"), py::arg("progress") = py::none(), py::arg("solved") = py::none(),
+      Released(),
       "Lets the tiles of a design settle from their actuated places, under its parameters. solved: "
       "VerificationReport.solved of the same tiles, pins and membranes.");
 }

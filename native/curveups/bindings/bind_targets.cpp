@@ -14,10 +14,9 @@ void bind_targets(py::module_& module) {
       [](const NumbersIn& V, const IndicesIn& F, const IndicesIn& cuts,
          const Parameters& parameters) {
         const CutMesh target = read_cut_mesh(V, F, cuts);
-        const py::gil_scoped_release release;
         return check_target(target.mesh, target.cuts, parameters);
       },
-      py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
+      py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"), Released(),
       "Obstacles and warnings of a remeshed target for tiles of this thickness and these pins.");
 
   using Figures = TargetFigures;
@@ -51,20 +50,18 @@ void bind_targets(py::module_& module) {
       [](const NumbersIn& V, const IndicesIn& F, const IndicesIn& cuts,
          const Parameters& parameters) {
         const CutMesh target = read_cut_mesh(V, F, cuts);
-        const py::gil_scoped_release release;
         return target_figures(target.mesh, target.cuts, parameters);
       },
-      py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
+      py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"), Released(),
       "Margins of every tile and contact before it can't be made.");
   module.def(
       "facing_pins",
       [](const NumbersIn& V, const IndicesIn& F, const IndicesIn& cuts, Parameters parameters) {
         const CutMesh target = read_cut_mesh(V, F, cuts);
         parameters.held_tiles.clear();  // of the design, not of any mesh that is tried
-        const py::gil_scoped_release release;
         return facing_pins(make_geometry(target.mesh, target.cuts, parameters), parameters.H_pin);
       },
-      py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
+      py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"), Released(),
       "Pairs of tiles without a common vertex of which a pin of one would run into the other. "
       "Raises "
       "InfeasibleDesign where tiles have no back face.");
@@ -77,14 +74,13 @@ void bind_targets(py::module_& module) {
   module.def(
       "smooth_for_pins",
       [](const NumbersIn& V, const IndicesIn& F, const IndicesIn& cuts,
-         const Parameters& parameters, py::object progress) {
+         const Parameters& parameters, const Progress& progress) {
         const CutMesh target = read_cut_mesh(V, F, cuts);
-        return without_gil(std::move(progress), [&](const Progress& sink) {
-          return smooth_for_pins(target.mesh, target.cuts, parameters, sink);
-        });
+        return smooth_for_pins(target.mesh, target.cuts, parameters,
+                               ProgressScope(progress).sink());
       },
       py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
-      py::arg("progress") = py::none(),
+      py::arg("progress") = py::none(), Released(),
       "Moves vertices a little where folds leave pin sides less than A_pin_min.");
 
   py::class_<SmoothedTarget>(module, "FairedSurface", "Vertices moved so that tiles are possible.")
@@ -97,15 +93,14 @@ void bind_targets(py::module_& module) {
   module.def(
       "smooth_target",
       [](const NumbersIn& V, const IndicesIn& F, const IndicesIn& cuts, const IndicesIn& kept,
-         double largest_move, const Parameters& parameters, py::object progress) {
+         double largest_move, const Parameters& parameters, const Progress& progress) {
         const CutMesh target = read_cut_mesh(V, F, cuts);
         const Edges lines = read_edges(kept, target.mesh.V.rows(), "kept");
-        return without_gil(std::move(progress), [&](const Progress& sink) {
-          return smooth_target(target.mesh, target.cuts, lines, largest_move, parameters, sink);
-        });
+        return smooth_target(target.mesh, target.cuts, lines, largest_move, parameters,
+                             ProgressScope(progress).sink());
       },
       py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("kept"), py::arg("largest_move"),
-      py::arg("parameters"), py::arg("progress") = py::none(),
+      py::arg("parameters"), py::arg("progress") = py::none(), Released(),
       "Moves vertices until every tile has a back face and room for its pins.");
 }
 

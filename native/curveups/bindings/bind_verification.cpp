@@ -127,17 +127,13 @@ void bind_repair(py::module_& module) {
       .def_readonly("verification", &RepairResult::verification, "Of a valid result; or None.");
   module.def(
       "repair_design",
-      [](const Design& design, py::object progress, py::object on_step, const SolvedPtr& solved) {
-        PythonCallback listener(std::move(on_step));
-        RepairResult result = without_gil(
-            std::move(progress), [&, function = listener.listener()](const Progress& sink) {
-              return repair_design(design, sink, function, most_repair_steps, solved);
-            });
-        listener.rethrow();
-        return result;
+      [](const Design& design, const Progress& progress, const std::optional<Listener>& on_step,
+         const SolvedPtr& solved) {
+        return repair_design(design, ProgressScope(progress).sink(), native_listener(on_step),
+                             most_repair_steps, solved);
       },
       py::arg("design"), py::arg("progress") = py::none(), py::arg("on_step") = py::none(),
-      py::arg("solved") = py::none(),
+      py::arg("solved") = py::none(), Released(),
       "Lifts contact forces above f_min by the least steps of poses, pins and, where these do not "
       "do, vertices. on_step(T, q, weak_points, violation) gets every step and stops the work by "
       "returning False. solved: VerificationReport.solved of the same design.");
@@ -179,12 +175,11 @@ void bind_verification(py::module_& module) {
              "directions.");
   module.def(
       "verify_design",
-      [](const Design& design, py::object progress, bool weak_is_enough) {
-        return without_gil(std::move(progress), [&](const Progress& sink) {
-          return verify_design(design, sink, {weak_is_enough});
-        });
+      [](const Design& design, const Progress& progress, bool weak_is_enough) {
+        return verify_design(design, ProgressScope(progress).sink(), {weak_is_enough});
       },
       py::arg("design"), py::arg("progress") = py::none(), py::arg("weak_is_enough") = false,
+      Released(),
       "Membranes, contact forces and verdict. weak_is_enough: without a verdict where points push "
       "too weakly (complete is False).");
   bind_repair(module);

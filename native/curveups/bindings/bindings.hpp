@@ -3,8 +3,8 @@
 // order of dependency.
 //
 // Arrays go in through arrays.hpp, which checks them, and come out as numpy arrays. Results are
-// classes with read-only attributes. Long calls take progress=None, a callable (what: str,
-// fraction: float) -> bool, and release the GIL.
+// classes with read-only attributes. Long calls release the GIL and take progress=None, a callable
+// (what: str, fraction: float) -> bool; its exceptions (KeyboardInterrupt above all) end the call.
 #pragma once
 
 #include <pybind11/eigen.h>
@@ -13,15 +13,18 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <exception>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/types.hpp"
+
+class TopoDS_Shape;  // from OpenCASCADE
 
 namespace curveups {
 enum class Side;
@@ -35,46 +38,14 @@ namespace py = pybind11;
 // Python holds what native code shares as const.
 using SolvedPtr = std::shared_ptr<SolvedDesign>;
 
-// A Python callable (or None) that native code calls without the GIL. An exception of the callable
-// (KeyboardInterrupt above all) stops the work and is raised once the work has returned.
-class PythonCallback {
- public:
-  explicit PythonCallback(py::object callable) : callable_(std::move(callable)) {}
-  // As progress sink. Looks for signals too.
-  Progress progress();
-  // As listener of iterates: flat corners, insets, a figure of the work, the largest violation of
-  // constraints. Empty for None.
-  std::function<bool(const Array6& T, const Array6& q, double figure, double violation)> listener();
-  // Needs the GIL.
-  void rethrow() const {
-    if (error_) std::rethrow_exception(error_);
-  }
-
- private:
-  template <class Call>
-  bool guarded(const Call& call);
-
-  py::object callable_;
-  std::exception_ptr error_;
-};
-
-// Runs work(progress) with the GIL released; checkpoints within it ask the callable as well.
-template <class Work>
-auto without_gil(py::object callable, Work work) {
-  PythonCallback progress(std::move(callable));
-  try {
-    auto result = [&] {
-      const py::gil_scoped_release release;
-      const ProgressScope scope(progress.progress());
-      return work(scope.sink());
-    }();
-    progress.rethrow();
-    return result;
-  } catch (const Cancelled&) {
-    progress.rethrow();
-    throw;
-  }
-}
+// For calls of native code, whose arguments need no GIL: progress sinks acquire it.
+using Released = py::call_guard<py::gil_scoped_release>;
+// Called with the iterates of long work: flat corners (M x 3 x 2), insets (M x 2 x 3), a figure of
+// the work, the largest violation of constraints. Stops the work by returning false.
+using Listener = std::function<bool(py::array_t<double>, py::array_t<double>, double, double)>;
+// The same for native code, with the GIL released; empty without a listener, which it refers to.
+std::function<bool(const Array6& T, const Array6& q, double figure, double violation)>
+native_listener(const std::optional<Listener>& listener);
 
 // The `block` of an object or of each item of a list; anything else as it is.
 py::object to_block(const py::object& value);
@@ -111,10 +82,18 @@ class FiguresClass : public py::class_<T, Holder...> {
   py::list names_;
 };
 
+// FreeCAD's Part.Shape of a shape: without a copy on Linux, where FreeCAD's Part module exports its
+// own conversion (0.20 and 1.0 do), else through a file, which takes seconds for 600 tiles. Raises
+// ImportError without FreeCAD.
+py::object to_part_shape(const TopoDS_Shape& shape);
 // "front" or "back".
 const char* side_name(Side side);
-// An M x 6 matrix as an M x a x b array, a b = 6.
-py::array_t<double> to_blocks(const Array6& m, int a, int b);
+// Rows as blocks of this shape.
+template <class Matrix>
+py::array_t<double> to_blocks(const Matrix& rows, std::vector<py::ssize_t> shape) {
+  shape.insert(shape.begin(), rows.rows());
+  return py::array_t<double>(shape, rows.data());
+}
 
 void bind_errors(py::module_& module);
 void bind_parameters(py::module_& module);

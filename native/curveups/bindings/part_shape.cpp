@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/bindings/part_shape.hpp"
+#include "curveups/bindings/bindings.hpp"
 
 #ifdef __linux__
 #include <dlfcn.h>

@@ -3,34 +3,12 @@
 
 namespace curveups::bindings {
 
-// A callable that returns None goes on.
-template <class Call>
-bool PythonCallback::guarded(const Call& call) {
-  const py::gil_scoped_acquire acquire;
-  if (error_) return false;
-  try {
-    const py::object answer = call();
-    return answer.is_none() || py::bool_(answer);
-  } catch (...) {
-    error_ = std::current_exception();
-    return false;
-  }
-}
-
-Progress PythonCallback::progress() {
-  return [this](const std::string& what, double fraction) {
-    return guarded([&]() -> py::object {
-      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      return callable_.is_none() ? callable_ : callable_(what, fraction);
-    });
-  };
-}
-
-std::function<bool(const Array6&, const Array6&, double, double)> PythonCallback::listener() {
-  if (callable_.is_none()) return {};
-  return [this](const Array6& T, const Array6& q, double figure, double violation) {
-    return guarded(
-        [&] { return callable_(to_blocks(T, 3, 2), to_blocks(q, 2, 3), figure, violation); });
+std::function<bool(const Array6&, const Array6&, double, double)> native_listener(
+    const std::optional<Listener>& listener) {
+  if (!listener) return {};
+  return [&call = *listener](const Array6& T, const Array6& q, double figure, double violation) {
+    const py::gil_scoped_acquire acquire;
+    return call(to_blocks(T, {3, 2}), to_blocks(q, {2, 3}), figure, violation);
   };
 }
 

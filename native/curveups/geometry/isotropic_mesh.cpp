@@ -6,8 +6,8 @@
 #include <CGAL/version.h>
 
 #include <algorithm>
-#include <exception>
-#include <new>
+#include <stdexcept>
+#include <string>
 
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
@@ -114,13 +114,7 @@ IsotropicMesh isotropic_mesh(const IsotropicMesh& surface, double length, int it
                                  .vertex_point_map(SoundPoints{&mesh})
                                  .edge_is_constrained_map(feature)
                                  .vertex_is_constrained_map(FixedVertices{fixed}));
-  } catch (const Cancelled&) {
-    throw;
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const TopologyError&) {
-    throw;
-  } catch (const std::exception& error) {
+  } catch (const std::logic_error& error) {  // of CGAL
     throw SolverFailure("remeshing failed: " + std::string(error.what()),
                         "repair the surface, or give a remeshed one and switch remeshing off");
   }
