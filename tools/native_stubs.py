@@ -37,7 +37,6 @@ def native_stubs() -> str:
 
     text = re.sub(r"numpy\.ndarray\[numpy\.(\w+)(\[([^\]]*)\])?(?:, [^\]]*)?\]", array, text)
     text = re.sub(r"\b(\w+(\[\w+\])?)\[\d+\]", r"\1", text)  # an array of so many is a list of them
-    text = re.sub(r"progress: object\b", "progress: Optional[Callable[[str, float], object]]", text)
     # Lists are returned; any sequence is taken.
     text = re.sub(r"(?m)^(\s*def \w+\()(.*)(\) ->)",
                   lambda m: m[1] + m[2].replace("List[", "Sequence[") + m[3], text)
