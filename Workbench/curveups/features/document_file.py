@@ -48,24 +48,20 @@ def finish_document(path: Path, views: Sequence[View], box: Box) -> None:
     FreeCAD has not saved the whole document, which raises nothing itself."""
     finished = path.with_name(path.name + ".finished")
     try:
-        with zipfile.ZipFile(path) as old, zipfile.ZipFile(finished, "w") as new:
+        with zipfile.ZipFile(path) as old, zipfile.ZipFile(
+                finished, "w", zipfile.ZIP_DEFLATED, compresslevel=COMPRESSION) as new:
             for entry in old.infolist():
                 content = old.read(entry)
                 if entry.filename == "Document.xml":
                     content = _without_materials(content.decode()).encode()
-                _add(new, entry.filename, content)
-            _add(new, "GuiDocument.xml", _document(views, box).encode())
+                new.writestr(entry.filename, content)
+            new.writestr("GuiDocument.xml", _document(views, box))
         finished.replace(path)
     except (zipfile.BadZipFile, zlib.error, EOFError) as error:
         raise OSError(errno.EIO, "FreeCAD could not save the whole document (is the disk full?)",
                       str(path)) from error
     finally:
         finished.unlink(missing_ok=True)
-
-
-def _add(archive: zipfile.ZipFile, name: str, content: bytes) -> None:
-    entry = zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0))
-    archive.writestr(entry, content, zipfile.ZIP_DEFLATED, COMPRESSION)
 
 
 def _without_materials(text: str) -> str:
