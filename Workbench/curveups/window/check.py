@@ -16,6 +16,7 @@ from ..features import actions, document, properties
 from ..features.actions import transaction
 from ..project.project import Results
 from ..project.size_choice import SizeChoice
+from ..project.worker import Status
 from ..report import check as report
 from ..stages import asked_by
 from . import runs
@@ -84,6 +85,10 @@ class CheckPanel(Panel):
         if drawn != self._drawn:
             self._drawn = drawn
             self._fill()
+
+    def run_changed(self, status: Status, running: bool) -> None:
+        for part in (self.form.progress, self.form.doing):
+            part.setVisible(running)
 
     def _out_of_date(self) -> str:
         try:

@@ -70,9 +70,10 @@ def put(label: Any, text: str) -> None:
 
 
 def fit_columns(tree: Any, stretched: Optional[int] = None) -> None:
-    """Make columns as wide as their texts; the column `stretched` takes the remaining width."""
+    """Make columns as wide as their texts; the column `stretched`, by default the last, takes the remaining
+    width."""
     header = tree.header()
-    header.setStretchLastSection(False)
+    header.setStretchLastSection(stretched is None)
     header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
     if stretched is not None:
         header.setSectionResizeMode(stretched, QtWidgets.QHeaderView.Stretch)
