@@ -87,8 +87,8 @@
       <translation>Wählen, wie Stücke nach dem Druck verbunden werden: holes gibt den Kacheln an ihren Rändern Nählöcher. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Choose the energy of the membranes: tension-field (neo-Hookean; they wrinkle where squeezed), mooney-rivlin (stiffer at large stretch; they wrinkle, too) or plain neo-hookean. Takes effect with Verify.</source>
-      <translation>Wählt die Energie der Membranen: tension-field (Neo-Hooke; sie werfen Falten, wo sie gestaucht werden), mooney-rivlin (steifer bei großer Dehnung; sie werfen ebenfalls Falten) oder einfaches neo-hookean. Wirkt mit „Prüfen“.</translation>
+      <source>Choose the energy of the membranes: tension-field (neo-Hookean; they wrinkle where squeezed) or plain neo-hookean. Takes effect with Verify.</source>
+      <translation>Wählt die Energie der Membranen: tension-field (Neo-Hooke; sie werfen Falten, wo sie gestaucht werden) oder einfaches neo-hookean. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
       <source>Choose what a closed CAD part loses: its largest planar face (auto, largest), the faces in a plane (z=0), all below a plane (z&gt;0), all above it (z&lt;0), or nothing (none). Takes effect with Solve.</source>
@@ -1174,8 +1174,8 @@
       <translation>eine Fläche nennt einen Punkt, den es nicht gibt (es gibt {0})</translation>
     </message>
     <message>
-      <source>a face of the surface names a vertex that there is not</source>
-      <translation>ein Dreieck der Fläche nennt einen Punkt, den es nicht gibt</translation>
+      <source>a face of the surface names a vertex that does not exist</source>
+      <translation>eine Fläche nennt eine Ecke, die es nicht gibt</translation>
     </message>
     <message>
       <source>a facet can't be read, or the file ends early</source>
@@ -1184,10 +1184,6 @@
     <message>
       <source>a facet can't be read: {0}</source>
       <translation>eine Facette lässt sich nicht lesen: {0}</translation>
-    </message>
-    <message>
-      <source>a feature names a vertex that the surface does not have</source>
-      <translation>ein Merkmal nennt einen Punkt, den die Fläche nicht hat</translation>
     </message>
     <message>
       <source>a file of an earlier run can't be removed: {0}</source>
@@ -1216,10 +1212,6 @@
     <message>
       <source>a part of a ring has less than three corners</source>
       <translation>ein Teil eines Rings hat weniger als drei Ecken</translation>
-    </message>
-    <message>
-      <source>a part of the membrane hangs on no pin: check cuts and layout</source>
-      <translation>ein Teil der Membran hängt an keinem Zapfen: Schnitte und Abwicklung überprüfen</translation>
     </message>
     <message>
       <source>a part of the surface shrinks to a line at edges of this length</source>
@@ -1262,12 +1254,8 @@
       <translation>die Maße eines Rings ergeben keine Zähne</translation>
     </message>
     <message>
-      <source>a solid is no manifold</source>
-      <translation>ein Volumenkörper ist nicht mannigfaltig</translation>
-    </message>
-    <message>
-      <source>a solid is open</source>
-      <translation>ein Volumenkörper ist offen</translation>
+      <source>a solid is open or no manifold</source>
+      <translation>ein Körper ist offen oder keine Mannigfaltigkeit</translation>
     </message>
     <message>
       <source>a soluble slab can't be printed front side down: it lies on the bed beside the back pins</source>
@@ -1518,14 +1506,6 @@
       <translation>Koordinaten reichen bis {largest:.4g mm}, wo Dateien Stellen verlieren</translation>
     </message>
     <message>
-      <source>corner_reach must be a length</source>
-      <translation>corner_reach muss eine Länge sein</translation>
-    </message>
-    <message>
-      <source>crease_angle must be positive</source>
-      <translation>crease_angle muss positiv sein</translation>
-    </message>
-    <message>
       <source>cut each handle open (--auto-cuts 1 or pieces=auto does)</source>
       <translation>jeden Henkel aufschneiden (--auto-cuts 1 oder pieces=auto tut das)</translation>
     </message>
@@ -1604,10 +1584,6 @@
     <message>
       <source>drawing pictures</source>
       <translation>Bilder zeichnen</translation>
-    </message>
-    <message>
-      <source>edges around a region to be meshed cross or touch</source>
-      <translation>Kanten um einen Bereich, der vernetzt werden soll, kreuzen oder berühren sich</translation>
     </message>
     <message>
       <source>edges is no list of pairs of vertex numbers</source>
@@ -1786,20 +1762,12 @@
       <translation>auto oder eine ganze Zahl von 1 bis 24 angeben</translation>
     </message>
     <message>
-      <source>give closed lines that meet at their ends alone</source>
-      <translation>geschlossene Linien angeben, die sich nur an ihren Enden treffen</translation>
-    </message>
-    <message>
       <source>give corners in order, without crossings</source>
       <translation>Ecken der Reihe nach angeben, ohne Überkreuzungen</translation>
     </message>
     <message>
       <source>give cuts as polylines, or L as a number</source>
       <translation>Schnitte als Linienzüge angeben oder L als Zahl</translation>
-    </message>
-    <message>
-      <source>give degrees up to 180</source>
-      <translation>Grad bis 180 angeben</translation>
     </message>
     <message>
       <source>give each tile its part, from 0 on</source>
@@ -1812,10 +1780,6 @@
     <message>
       <source>give it an outline</source>
       <translation>ihm einen Umriss geben</translation>
-    </message>
-    <message>
-      <source>give it in mm, or 0</source>
-      <translation>in mm angeben, oder 0</translation>
     </message>
     <message>
       <source>give its corners counter-clockwise, in mm</source>
@@ -1856,10 +1820,6 @@
     <message>
       <source>give one within the range that 'curveups parameters' says</source>
       <translation>einen Wert im Bereich angeben, den „curveups parameters“ nennt</translation>
-    </message>
-    <message>
-      <source>give pairs of its vertices</source>
-      <translation>Paare ihrer Punkte angeben</translation>
     </message>
     <message>
       <source>give pairs of neighbouring vertices of the remeshed target</source>
@@ -1940,10 +1900,6 @@
     <message>
       <source>height of the pins</source>
       <translation>Höhe der Zapfen</translation>
-    </message>
-    <message>
-      <source>held by the {obstacle} of {at}</source>
-      <translation>festgehalten von {obstacle} an {at}</translation>
     </message>
     <message>
       <source>held_tiles names {0}, but there are {1} tiles</source>
@@ -2050,8 +2006,8 @@
       <translation>die Zielfläche neu vernetzen lassen</translation>
     </message>
     <message>
-      <source>lib3mf could not {0} ({1})</source>
-      <translation>lib3mf konnte das nicht: {0} ({1})</translation>
+      <source>lib3mf could not write the print ({0})</source>
+      <translation>lib3mf konnte den Druck nicht schreiben ({0})</translation>
     </message>
     <message>
       <source>lib3mf wrote no archive</source>
@@ -2064,6 +2020,10 @@
     <message>
       <source>look for a vertex far away from the others, or choose a larger L</source>
       <translation>nach einem Punkt weit weg von den anderen suchen oder ein größeres L wählen</translation>
+    </message>
+    <message>
+      <source>look for bodies that overlap: compute the layout again</source>
+      <translation>nach Körpern suchen, die sich überschneiden: das Layout neu berechnen</translation>
     </message>
     <message>
       <source>looking for cuts</source>
@@ -2140,10 +2100,6 @@
     <message>
       <source>measuring deviation</source>
       <translation>Abweichung messen</translation>
-    </message>
-    <message>
-      <source>measuring solids</source>
-      <translation>Volumenkörper vermessen</translation>
     </message>
     <message>
       <source>membrane</source>
@@ -2574,10 +2530,6 @@
       <translation>Die Reparatur endete früh: {said}</translation>
     </message>
     <message>
-      <source>repair the cuts</source>
-      <translation>die Schnitte berichtigen</translation>
-    </message>
-    <message>
       <source>repair the file</source>
       <translation>die Datei reparieren</translation>
     </message>
@@ -2946,10 +2898,6 @@
       <translation>Die Reserve ist verlangt, und die Kacheln haben sich nicht gesetzt: run_settling und run_verification einschalten</translation>
     </message>
     <message>
-      <source>the membrane's harmonic start could not be computed</source>
-      <translation>der harmonische Anfang der Membran ließ sich nicht berechnen</translation>
-    </message>
-    <message>
       <source>the membranes do not press the tiles together</source>
       <translation>Die Membranen drücken die Kacheln nicht aneinander</translation>
     </message>
@@ -3028,10 +2976,6 @@
     <message>
       <source>the piece of {tile} tips over on the table: its weight acts beside the corners on which it stands</source>
       <translation>das Stück von {tile} kippt auf dem Tisch: Sein Gewicht greift neben den Ecken an, auf denen es steht</translation>
-    </message>
-    <message>
-      <source>the polyline has a point that is not finite</source>
-      <translation>der Linienzug hat einen Punkt, der nicht endlich ist</translation>
     </message>
     <message>
       <source>the polyline has no points</source>
@@ -3116,10 +3060,6 @@
     <message>
       <source>the surface has no faces</source>
       <translation>Die Fläche hat keine Dreiecke</translation>
-    </message>
-    <message>
-      <source>the surface has no vertices, or some that are not finite</source>
-      <translation>die Fläche hat keine Punkte, oder welche, die nicht endlich sind</translation>
     </message>
     <message>
       <source>the surface has several components</source>
@@ -3380,10 +3320,6 @@
     <message>
       <source>unexpected failure: {0}</source>
       <translation>unerwarteter Fehler: {0}</translation>
-    </message>
-    <message>
-      <source>unexpected {0}</source>
-      <translation>unerwartet: {0}</translation>
     </message>
     <message>
       <source>uniting bodies</source>
@@ -4180,14 +4116,6 @@
     <message>
       <source>box of the print</source>
       <translation>Umriss des Drucks</translation>
-    </message>
-    <message>
-      <source>break the bridges from the {second}</source>
-      <translation>die Brücken von der {second} her brechen</translation>
-    </message>
-    <message>
-      <source>bridges</source>
-      <translation>Brücken</translation>
     </message>
     <message>
       <source>bridges: {count}</source>
