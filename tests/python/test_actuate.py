@@ -4,6 +4,8 @@
 import dataclasses
 import json
 import re
+import sys
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -21,6 +23,9 @@ from curveups.report.html import STATE_NAMES
 from curveups.stages import RISEN, asked_by
 from curveups.stages.actuation import RELAXED, STATES, findings
 from curveups.stages.stage import Job
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "benchmarks"))
+import actuated  # noqa: E402
 
 FILES = {"frames.json", "frames.fold", "actuation.html", "small-cap-built.step"}
 
