@@ -452,16 +452,6 @@ def test_the_load_is_the_slope_of_the_sheets_energy():
     assert BLOCK["load_n"]["front"][0] == pytest.approx(80, rel=0.02)  # N, Half-Sphere
 
 
-def test_the_load_of_mooney_rivlin_is_the_slope_of_its_energy():
-    """As above, with half of the modulus for each invariant: I1 = 2 l^2 + l^-4, I2 = l^4 + 2 l^-2."""
-    def energy(stretch):
-        return 0.25 * 0.72 * 0.5 * (2 * stretch ** 2 + stretch ** -4 + stretch ** 4 + 2 * stretch ** -2 - 6)
-
-    tension = (energy(3 + 1e-6) - energy(3 - 1e-6)) / 2e-6 / 2 / 3
-    block = sheets_of((195.4, 194.3), membrane_model="mooney-rivlin")
-    assert block["load_n"]["back"] == pytest.approx([225 * tension] * 2, rel=1e-6)
-
-
 def test_sheets_hold_the_print_its_margin_teeth_and_grip():
     for box, tau in (((195.4, 100.0), 3.0), ((30.0, 31.0), 2.5), ((510.0, 395.0), 1.05)):
         block = sheets_of(box, tau=tau)

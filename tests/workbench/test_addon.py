@@ -22,7 +22,7 @@ def test_package_file():
     workbench, = package.Content["workbench"]
     assert workbench.Classname == "CurveUpsWorkbench"
     assert workbench.Classname in (ROOT / "InitGui.py").read_text(encoding="utf-8")
-    assert {need["package"] for need in package.Depend} == {"numpy", "matplotlib", "scipy", "ezdxf"}
+    assert {need["package"] for need in package.Depend} == {"numpy", "matplotlib", "scipy", "ezdxf", "jinja2"}
     for address in (url["location"] for url in package.Urls if url["type"] in ("readme", "documentation")):
         assert (ROOT / address.split(".invalid/")[1]).is_file(), address
 
