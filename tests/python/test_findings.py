@@ -17,7 +17,7 @@ WEAK = Finding.about("weak_points", [3, 1], points=2, f_min=0.0625, contacts=((1
                      weakest=((1, 3),))
 # What kinds of findings are called where the native module makes them.
 _NATIVE = re.compile(r'(?:push_back\(|return |= |why = \{|Finding \w+ = )\s*\{+\s*"([\w.-]+)"'
-                     r'|(?:add|add_rows|of)\(\s*"([\w.-]+)"|\bkind = "([\w.-]+)"'
+                     r'|(?:add|add_rows|of|reason)\(\s*"([\w.-]+)"|\bkind = "([\w.-]+)"'
                      r'|\? "([a-z_]+(?:\.\w+)?|[a-z]+-[a-z-]+)"\s*: "([\w.-]+)"')
 
 _PYTHON = re.compile(r'(?:Finding(?:\.about)?|failed|_obstacle|warn|_warned)\(\s*(?:best, |division, )?'
