@@ -13,13 +13,12 @@ from typing import Iterator
 ROOT = Path(__file__).resolve().parent.parent
 REFUSED = re.compile(
     r"(of|what|where|whether|that|by|it|its|they|their|this|these|those|one|which|who)\b", re.I)
-DOCUMENTED = ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef
 
 
 def docstrings(path: Path) -> Iterator[tuple[int, str]]:
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if isinstance(node, DOCUMENTED) and (text := ast.get_docstring(node)):
-            yield node.body[0].lineno, text
+        if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef)) and ast.get_docstring(node):
+            yield node.body[0].lineno, ast.get_docstring(node) or ""
 
 
 def comments(path: Path) -> Iterator[tuple[int, str]]:

@@ -13,8 +13,8 @@ namespace {
 
 using Corners = Eigen::Map<const Eigen::Matrix<double, 6, 3, Eigen::RowMajor>>;
 
-// Volume of the prism or frustum between corners 0 to 2 and 3 to 5, by the prismoidal formula: exact for
-// faces with parallel edges.
+// Volume of the prism or frustum between corners 0 to 2 and 3 to 5, by the prismoidal formula:
+// exact for faces with parallel edges.
 double volume(const Corners& c) {
   const auto area = [](const Vec3& a, const Vec3& b, const Vec3& d) {
     return 0.5 * (b - a).cross(d - a).norm();
