@@ -21,15 +21,15 @@ constexpr double most_triangles = 5e6;  // of a membrane; 20,000 tiles have some
 // of edges of that size in a length, I(r) = integral of dr / h, and its inverse.
 class Grading {
  public:
-  explicit Grading(double largest) : h_(largest), c_(0.5 * largest), bend_((h_ - c_) / g_) {}
-  double size(double r) const { return std::min(h_, c_ + g_ * r); }
+  explicit Grading(double largest) : h_(largest), c_(0.5 * largest), bend_((h_ - c_) / growth) {}
+  double size(double r) const { return std::min(h_, c_ + growth * r); }
   double edges(double r) const {
-    const double graded = std::log1p(g_ * std::min(r, bend_) / c_) / g_;
+    const double graded = std::log1p(growth * std::min(r, bend_) / c_) / growth;
     return graded + std::max(0.0, r - bend_) / h_;
   }
   double reach(double edges_from_corner) const {
     const double graded = edges(bend_);
-    if (edges_from_corner <= graded) return std::expm1(g_ * edges_from_corner) * c_ / g_;
+    if (edges_from_corner <= graded) return std::expm1(growth * edges_from_corner) * c_ / growth;
     return bend_ + (edges_from_corner - graded) * h_;
   }
   // Points between two pin corners at distance `length`, as fractions of it.
@@ -45,7 +45,7 @@ class Grading {
   }
 
  private:
-  static constexpr double g_ = 0.8;
+  static constexpr double growth = 0.8;
   double h_, c_, bend_;
 };
 
