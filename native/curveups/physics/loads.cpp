@@ -102,7 +102,7 @@ Wrenches weights(const DesignGeometry& geometry, const Array6& q, const Paramete
 
 std::vector<int> held_tiles(const DesignGeometry& geometry, const Parameters& parameters) {
   if (parameters.gravity != "held") return {};
-  const std::vector<int> named = listed_tiles(parameters.held_tiles);
+  std::vector<int> named = listed_tiles(parameters.held_tiles);
   if (!named.empty()) return named;
   const TileMesh& tiles = geometry.tiles;
   const Eigen::VectorXd depth = tile_centres(tiles) * gravity_down;
