@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Refuses docstrings of Python and comments of C++ headers that begin with a preposition or a pronoun instead
+"""Refuses docstrings of Python and comments of C++ that begin with a preposition or a pronoun instead
 of the thing that they name (CONTRIBUTING.md). tools/check calls it."""
 
 from __future__ import annotations
@@ -34,7 +34,8 @@ def comments(path: Path) -> Iterator[tuple[int, str]]:
 def main() -> int:
     refused = [f"{path.relative_to(ROOT)}:{line}: {text.splitlines()[0]}"
                for folder, pattern, read in (("Workbench", "*.py", docstrings), ("tools", "*.py", docstrings),
-                                             ("tests", "*.py", docstrings), ("native", "*.hpp", comments))
+                                             ("tests", "*.py", docstrings), ("native", "*.?pp", comments),
+                                             ("tests", "*.?pp", comments))
                for path in sorted((ROOT / folder).rglob(pattern))
                for line, text in read(path) if REFUSED.match(text)]
     print("\n".join(refused))

@@ -70,7 +70,7 @@ void thin_out(std::vector<PathFrame>& frames, std::size_t first, int most) {
 // Presses tiles towards their places: a force that fades within `reach` of a place.
 class Path::Former : public MotionEnergy {
  public:
-  Points3 places;    // of the tiles' centres
+  Points3 places;    // centres of the tiles
   double force = 0;  // N on a tile that is far from its place
   double reach = 0;  // mm
 

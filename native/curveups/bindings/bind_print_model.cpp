@@ -281,7 +281,7 @@ void bind_print_model(py::module_& module) {
     const Colour c = body_colour(static_cast<BodyKind>(k));
     colours[printed_kinds[k]] = py::make_tuple(c.red, c.green, c.blue);
   }
-  module.attr("COLOURS") = colours;  // of bodies by kind, sRGB from 0 to 255, as in STEP and 3MF
+  module.attr("COLOURS") = colours;  // sRGB by kind of bodies, 0 to 255, as in STEP and 3MF
   module.attr("SUPPORT_MARGIN") = support_margin;  // these in mm (print_constants.hpp)
   module.attr("ANCHOR_DISTANCE") = anchor_distance;
   module.attr("ANCHOR_SPACING") = anchor_spacing;

@@ -58,7 +58,7 @@ void bind_targets(py::module_& module) {
       "facing_pins",
       [](const NumbersIn& V, const IndicesIn& F, const IndicesIn& cuts, Parameters parameters) {
         const CutMesh target = read_cut_mesh(V, F, cuts);
-        parameters.held_tiles.clear();  // of the design, not of any mesh that is tried
+        parameters.held_tiles.clear();  // tiles of the design, not of a mesh on trial
         return facing_pins(make_geometry(target.mesh, target.cuts, parameters), parameters.H_pin);
       },
       py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"), Released(),

@@ -59,7 +59,7 @@ std::vector<Vec2> largest_triangle(const Polygon& region) {
   return best;
 }
 
-// Whether three centres keep the spacing and do not lie on a line.
+// True if three centres keep the spacing and do not lie on a line.
 bool spread_out(const std::vector<Vec2>& c, double spacing) {
   if (c.empty()) return false;
   const double shortest =

@@ -244,7 +244,7 @@ class Planner {
     if (least < flat_clearance) reason_[k] = "would_touch";
   }
 
-  // Whether the hollows of an interface keep their distance from faces and from `placed` hollows.
+  // True if the hollows of an interface keep their distance from faces and `placed` hollows.
   bool hollows_fit(int k, const std::vector<std::vector<WallCap>>& placed) const {
     for (int s = 0; s < 2; ++s) {
       const int tile = tiles_.contacts[k].tile[s];

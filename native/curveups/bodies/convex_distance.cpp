@@ -17,7 +17,7 @@ Vec3 nearest_on_segment(const Vec3& a, const Vec3& b, const Vec3& p) {
   return length2 > 0 ? Vec3(a + std::clamp((p - a).dot(d) / length2, 0.0, 1.0) * d) : a;
 }
 
-// Whether p, in the plane of the face, lies inside its loop.
+// True if p, in the plane of the face, lies inside its loop.
 bool inside_loop(const ConvexBody& body, const BodyFace& face, const Vec3& p) {
   for (std::size_t k = 0; k < face.loop.size(); ++k) {
     const Vec3& a = body.points[face.loop[k]];

@@ -46,7 +46,7 @@ class Planner {
     return corner[t] + own * direction + joint_depth(tiles_, p_, tile, t) * tiles_.inward(tile, t);
   }
 
-  // Whether pins begin far enough behind the hole.
+  // True if pins begin far enough behind the hole.
   bool clear_of_pins(int tile, int t) const {
     for (Side side : {Side::front, Side::back}) {
       const double least = joint_inset(tiles_, p_, tile, side, t);

@@ -41,7 +41,7 @@ std::pair<Vec2, Vec2> box_of(const ClipperLib::Path& path) {
   return {low, high};
 }
 
-// Whether a path is a hole no wider than twice the offset. Such holes grow inside out, which takes
+// True if a path is a hole no wider than twice the offset. Such holes grow inside out, which takes
 // Clipper seconds for a thousand.
 bool closes(const ClipperLib::Path& path, double offset) {
   if (ClipperLib::Orientation(path)) return false;

@@ -150,7 +150,7 @@ class PairSearch {
     for (const Vec3& p : facing.outline) {
       other.push_back(flat.transpose() * seen_from(at(first), at(second), p));
     }
-    std::reverse(other.begin(), other.end());  // it looks the other way
+    std::reverse(other.begin(), other.end());  // the other tile's loop runs backwards
     const Polygon common = intersection(own, other);
     if (common.size() < 3) return;
     const double shared = std::max(area(common), least_share * std::min(area(own), area(other)));

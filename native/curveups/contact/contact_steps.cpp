@@ -14,7 +14,7 @@ namespace {
 // Caps stay until the residual under them is this share of the one when they were set.
 constexpr double inner_share = 0.1;
 
-constexpr double largest_turn = 0.5;  // of a body in an iteration, rad
+constexpr double largest_turn = 0.5;  // rad, turn of a body in an iteration
 
 // Motion in step limits: of neighbours, `apart` against one another, and of each body by itself.
 double in_step_limits(double apart, const Motions& motions, const Pace& pace, double lever) {

@@ -40,7 +40,7 @@ double screw_bulge(const Eigen::Matrix3d& turn, double shift) {
 }
 
 struct Way {
-  double shift = 0;   // of the origin, mm
+  double shift = 0;   // mm, motion of the origin
   double chord = 0;   // of a point as it turns, over its distance from the origin
   double radius = 0;  // of the corners about the origin, mm
   double thin = 0;    // the body's thickness, mm

@@ -17,7 +17,7 @@
 namespace curveups {
 namespace {
 
-constexpr double poisson_ratio = 0.35;  // of printed polymers
+constexpr double poisson_ratio = 0.35;  // printed polymers
 
 // Secant stiffness of a sphere of radius R against a plane (Hertz) under this force, N / mm.
 double sphere_stiffness(double R, double force) {
@@ -76,9 +76,9 @@ class Builder {
     options_.lever = 0.4 * bodies.parameters.L;
     Pace& pace = options_.pace;
     pace.step_limit = bodies.parameters.L / 7;
-    pace.first_weight = 1e-4;  // what settles starts beside its place
+    pace.first_weight = 1e-4;  // bodies that settle start beside their rest
     pace.search.reach = std::max(0.5, 1.5 * bodies.parameters.bump_height);
-    pace.search.face_margin = 0.001;  // what rests must not change faces, and forget friction
+    pace.search.face_margin = 0.001;  // contacts keep their faces and friction
   }
 
   TileWorld run() {

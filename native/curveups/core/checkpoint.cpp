@@ -35,7 +35,7 @@ struct Watch {
   }
 
   Progress progress;
-  std::mutex mutex;  // of all that is not atomic
+  std::mutex mutex;  // guards all that is not atomic
   std::string what = "working";
   double fraction = -1;
   std::atomic<bool> stopped{false};

@@ -50,7 +50,7 @@ std::atomic<int>& threads() {
   return count;
 }
 
-// Whether this thread works in one of these loops, whose arena limits the threads already.
+// True on a thread that works in one of these loops, whose arena limits the threads already.
 thread_local bool inside = false;
 
 class Inside {

@@ -88,7 +88,7 @@ Split separate(const Cone& a, const Cone& b, double slack) {
     }
   }
   if (crossings.size() < 2) {
-    // One of them inside the other, or pierced through its front face: folded over.
+    // Folded over: a tile lies inside the other, or is pierced through its front face.
     for (const Cone* inner : {&a, &b}) {
       const Cone& outer = inner == &a ? b : a;
       for (const Vec3& ray : {inner->spine, inner->edge[0], inner->edge[1]}) {
@@ -102,7 +102,7 @@ Split separate(const Cone& a, const Cone& b, double slack) {
   for (const Crossing& p : crossings) {
     for (const Crossing& q : crossings) widest = std::max(widest, p.ray.cross(q.ray).norm());
   }
-  if (widest < slack) return {};  // they only touch in a ray
+  if (widest < slack) return {};  // tiles only touch in a ray
   Split best{-1};
   double best_margin = 0;
   for (std::size_t m = 0; m < crossings.size(); ++m) {

@@ -32,7 +32,7 @@ TriangleMesh joined(const std::vector<BodyMesh>& bodies, int piece, bool bridges
           Eigen::Map<const Triangles>(triangles.data()->data(), triangles.size(), 3)};
 }
 
-// One shell per piece: breakaway bridges reach into tiles and anchors.
+// Closed shell of each piece: breakaway bridges reach into tiles and anchors.
 std::vector<BodyMesh> fused(const std::vector<BodyMesh>& bodies, const PrintModel& model) {
   checkpoint("uniting bodies");
   if (support_kind(model.parameters).soluble) {

@@ -201,7 +201,7 @@ class Builder {
       for (PrintBody& body : *bodies) move(body, shift);
     }
     for (RigidMotion& motion : model_.flat) motion.t += shift.t;
-    for (auto& outline : model_.outlines) {  // of soluble slabs, which have their front side up
+    for (auto& outline : model_.outlines) {  // soluble slabs have their front side up
       for (Polygon& loop : outline) {
         for (Vec2& q : loop) q += shift.t.head<2>();
       }

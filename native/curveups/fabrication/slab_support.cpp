@@ -13,7 +13,7 @@
 namespace curveups {
 namespace {
 
-constexpr double support_drop = 0.3;    // of the slab below the front pin tops and their glue, mm
+constexpr double support_drop = 0.3;  // mm from the front pin tops and their glue down to the slab
 constexpr double slab_deviation = 0.1;  // of the chords of the outline's arcs, mm
 
 // Least distance of a corner of one of two convex polygons from the other.
@@ -52,7 +52,7 @@ void refuse_strangers(const PrintModel& model, int piece, const Polygon& loop,
 }
 
 struct SlabContent {
-  std::vector<OutlineShape> shapes;  // their union is the slab's outline
+  std::vector<OutlineShape> shapes;  // shapes whose union is the slab's outline
   std::vector<PrintBody> inside;
   std::vector<Vec2> bores;  // axes of the anchors in the slab
 };

@@ -104,7 +104,7 @@ class SolidWriter {
   const Circle& make_circle(int i, const Vec3& axis) {
     const BodyCircle& c = body_.circles[i];
     Circle& circle = circle_[i];
-    if (circle.edge != StepId{}) return circle;  // of the cap on a cylinder
+    if (circle.edge != StepId{}) return circle;  // cap on a cylinder
     circle.axis = axis;
     circle.x = axis.unitOrthogonal();
     circle.start = make_vertex(c.centre + c.radius * circle.x);

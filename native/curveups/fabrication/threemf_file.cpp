@@ -129,7 +129,7 @@ std::string plain_zip(const std::string& zip) {
     }
     const auto [whole, packed, local] = sizes;
     const std::size_t data = local + 30 + number(zip, local + 26, 2) + number(zip, local + 28, 2);
-    std::string common;  // of both headers
+    std::string common;  // fields that both headers share
     append(common, 20, 2);
     append(common, 0, 2);
     common += zip.substr(at + 10, 2);  // method

@@ -43,7 +43,7 @@ bool flat(const Points3& V, const Face& face) {
   return (b - a).cross(c - a).norm() <= 1e-10 * longest;  // false for NaN, which check_mesh reports
 }
 
-Eigen::AlignedBox3d box_of(const Points3& V) {  // of the finite vertices
+Eigen::AlignedBox3d box_of(const Points3& V) {  // box around the finite vertices
   Eigen::AlignedBox3d box;
   for (int v = 0; v < V.rows(); ++v) {
     if (V.row(v).allFinite()) box.extend(Vec3(V.row(v)));

@@ -274,7 +274,7 @@ Points2 conformal_map(const TriangleMesh& mesh) {
   }
   // Rotate the first face's first edge to x.
   const Vec2 edge = (map.row(mesh.F(0, 1)) - map.row(mesh.F(0, 0))).normalized();
-  Eigen::Matrix2d turn;  // of rows
+  Eigen::Matrix2d turn;  // rotation of rows
   turn << edge.x(), -edge.y(), edge.y(), edge.x();
   const double scale = std::sqrt(surface_area(mesh) / area);
   for (int v = 0; v < map.rows(); ++v) {

@@ -21,7 +21,7 @@ namespace curveups {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr int rounds = 16;         // of moving middles; they converge within ten
+constexpr int rounds = 16;         // moves of the middles, which converge within ten
 constexpr double hold_back = 0.5;  // weight of the difference of radii, a round
 
 struct Step {
@@ -31,7 +31,7 @@ struct Step {
 
 // Nearest source of each face.
 struct Nearest {
-  std::vector<int> source;  // its place among the sources
+  std::vector<int> source;  // place of each among the sources
   std::vector<double> distance;
 };
 
@@ -195,7 +195,7 @@ class Regions {
         int& known = largest[of[p]];
         if (known < 0 || area[p] > area[known]) known = p;
       }
-      std::map<int, std::map<int, double>> beside;  // of a fragment: border by region, mm
+      std::map<int, std::map<int, double>> beside;  // mm of border by fragment and region
       for (std::size_t e = 0; e < topology_.edges.size(); ++e) {
         const MeshEdge& edge = topology_.edges[e];
         if (!joined(edge, e)) continue;
@@ -277,7 +277,7 @@ class Regions {
   const std::vector<char>& cut_;
   std::vector<std::vector<Step>> steps_;
   std::vector<double> area_;
-  std::vector<double> length_;  // of edges
+  std::vector<double> length_;  // lengths of edges
   std::vector<int> component_;
 };
 

@@ -85,7 +85,7 @@ std::vector<int> unsound_faces(const SurfacePoints& points, const Triangles& F) 
 
 void cut_short(const Triangles& F, const SurfacePoints& before, SurfacePoints& after,
                const ClosestPoints& surface) {
-  constexpr double least_share = 0.1;  // of a move, below which it is left out
+  constexpr double least_share = 0.1;  // share of a move below which the move is left out
   std::vector<double> share;
   // Ends: shares only shrink, and faces without a moving vertex are as before.
   for (;;) {

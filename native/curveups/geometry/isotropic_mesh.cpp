@@ -22,13 +22,13 @@ namespace pmp = CGAL::Polygon_mesh_processing;
 // CGAL's relaxation (5.5) reads the edge of no halfedge once all faces of a vertex have lost their
 // area, which happens on bodies of the size of a tile: such moves are left out.
 struct SoundPoints : cgal::WatchedPoints {
-  // Whether v at this point would only have triangles without area, as far as rounding tells.
+  // True if v at this point would only have triangles without area, as far as rounding tells.
   bool flattens(key_type v, const value_type& p) const {
     if (mesh->is_isolated(v)) return false;
     for (const auto h : mesh->halfedges_around_target(mesh->halfedge(v))) {
       if (mesh->is_border(h)) return false;  // v does not move
       const auto next = mesh->next(h);
-      if (mesh->next(mesh->next(next)) != h) return false;  // its edge is being split
+      if (mesh->next(mesh->next(next)) != h) return false;  // an edge that is being split
       const Kernel::Vector_3 a = mesh->point(mesh->target(next)) - p;
       const Kernel::Vector_3 b = mesh->point(mesh->source(h)) - p;
       const double longest = std::max(a.squared_length(), b.squared_length());
@@ -86,7 +86,7 @@ IsotropicMesh isotropic_mesh(const IsotropicMesh& surface, double length, int it
                                  .vertex_point_map(SoundPoints{{&mesh, &reads}})
                                  .edge_is_constrained_map(feature)
                                  .vertex_is_constrained_map(fixed));
-  } catch (const std::logic_error& error) {  // of CGAL
+  } catch (const std::logic_error& error) {  // CGAL's failed assertions
     throw SolverFailure("remeshing failed: " + std::string(error.what()),
                         "repair the surface, or give a remeshed one and switch remeshing off");
   }

@@ -11,7 +11,7 @@
 namespace curveups {
 namespace {
 
-using Neighbours = std::map<int, std::vector<int>>;  // by vertex, along the lines, ascending
+using Neighbours = std::map<int, std::vector<int>>;  // vertices along the lines, ascending
 
 Neighbours neighbours_of(const Edges& edges) {
   Neighbours next;
@@ -211,7 +211,7 @@ IsotropicMesh space_lines(const TriangleMesh& mesh, const Edges& features, doubl
   std::vector<Vec3> points(mesh.V.rows());
   for (int v = 0; v < mesh.V.rows(); ++v) points[v] = mesh.V.row(v);
   std::vector<char> fixed(points.size(), 0), on_boundary(points.size(), 0);
-  std::vector<char> is_corner(points.size(), 0);   // of boundary loops: where features end
+  std::vector<char> is_corner(points.size(), 0);   // boundary loops end features there
   std::map<std::array<int, 2>, int> edge_between;  // on lines
   for (int e = 0; e < features.rows(); ++e) {
     edge_between[{std::min(features(e, 0), features(e, 1)),
@@ -234,7 +234,7 @@ IsotropicMesh space_lines(const TriangleMesh& mesh, const Edges& features, doubl
     if (e >= 0 && !topology.edges[e].boundary()) inner.push_back(pair);
   }
 
-  std::unordered_map<int, std::vector<std::pair<double, int>>> inserted;  // by edge, from its v[0]
+  std::unordered_map<int, std::vector<std::pair<double, int>>> inserted;  // from an edge's v[0]
   const auto space = [&](const FeatureLine& line, const std::vector<char>& corner) {
     for (const Mark& mark : marks_of_line(mesh.V, line, length, corner_angle, reach, corner)) {
       const int v = line.vertices[mark.at];

@@ -28,7 +28,7 @@ namespace {
 using cgal::Kernel, cgal::Mesh;
 namespace pmp = CGAL::Polygon_mesh_processing;
 
-constexpr double tile_area = 0.433;  // of an equilateral triangle, in L^2
+constexpr double tile_area = 0.433;  // area of an equilateral triangle, in L^2
 
 MeshTopology topology_of(const TriangleMesh& mesh) {
   return build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
@@ -42,7 +42,7 @@ UsedPart without_faces(const TriangleMesh& mesh, const std::vector<char>& gone) 
   return used_part(mesh.V, mesh.F(kept, Eigen::seqN(0, 3)));
 }
 
-// Whether every edge has one face, or two that run along it in opposite directions, and every
+// True if every edge has one face, or two that run along it in opposite directions, and every
 // vertex one fan of faces.
 bool is_manifold(const TriangleMesh& mesh) {
   try {
@@ -99,7 +99,7 @@ std::vector<std::vector<int>> small_holes(const TriangleMesh& mesh, double longe
   }
   std::vector<std::vector<int>> loops = boundary_loops(topology);
   std::vector<double> length;
-  std::map<int, std::size_t> outer;  // of a component: its longest loop
+  std::map<int, std::size_t> outer;  // longest loop by component
   for (std::size_t k = 0; k < loops.size(); ++k) {
     length.push_back(loop_length(mesh.V, loops[k]));
     const auto [it, fresh] = outer.emplace(component_at[loops[k][0]], k);

@@ -18,7 +18,7 @@
 namespace curveups {
 namespace {
 
-constexpr double tukey = 4.685;     // of the noise: 95 % efficiency for normal noise
+constexpr double tukey = 4.685;     // times the noise: 95 % efficiency for normal noise
 constexpr double alike = 3;         // standard errors by which mean losses of equal poses differ
 constexpr double contrast = 4;      // times the least loss, with which a pose is dropped
 constexpr int first_turns = 900;    // rotations some 25 degrees apart
@@ -359,7 +359,7 @@ Registration register_markers(const Points3& points, const Points3& targets) {
     for (Eigen::Index i = 0; i < points.rows(); ++i) {
       distances.push_back((pose(centred.row(i)) - targets.row(i).transpose()).norm());
     }
-    const double noise = median(distances) / 1.538 + 1e-9;  // of a coordinate, in space
+    const double noise = median(distances) / 1.538 + 1e-9;  // noise of a coordinate, in space
     out.loss_scale = tukey * noise;
     PoseFit fit(pose, out.loss_scale);
     for (Eigen::Index i = 0; i < points.rows(); ++i) {

@@ -19,7 +19,7 @@ namespace curveups {
 namespace {
 
 constexpr double corner_angle = 40 * 3.14159265358979323846 / 180;
-constexpr int most_rounds = 6;  // of the search for the length that gives the wanted mean
+constexpr int most_rounds = 6;  // trials for the length that gives the wanted mean
 constexpr double mean_tolerance = 0.01;
 constexpr double most_faces = 200000;
 // CGAL's collapsing of short edges does not end on spikes of some 500 L; a square with edges of 300

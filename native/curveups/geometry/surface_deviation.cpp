@@ -50,7 +50,7 @@ double step_between(const TriangleMesh& a, const TriangleMesh& b) {
 }
 
 struct Sums {
-  double area = 0, distance = 0, square = 0;  // of the distance, by area
+  double area = 0, distance = 0, square = 0;  // integrals of the distance over the area
   double largest = 0;
 };
 

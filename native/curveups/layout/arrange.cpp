@@ -12,7 +12,7 @@ namespace curveups {
 namespace {
 
 struct Rectangle {
-  double angle = 0;                              // by which the piece is to be turned
+  double angle = 0;                              // turn of the piece
   Vec2 low = Vec2::Zero(), high = Vec2::Zero();  // of the turned piece
 };
 
@@ -27,7 +27,7 @@ Rectangle bounds_at(const std::vector<Vec2>& hull, double angle) {
   return r;
 }
 
-// One side of the smallest rectangle lies on an edge of the hull.
+// Smallest rectangle, which has a side on an edge of the hull.
 Rectangle smallest_rectangle(const std::vector<Vec2>& hull) {
   Rectangle best;
   double least = -1;

@@ -184,7 +184,7 @@ class Suggester {
   const Parameters& parameters_;
   const CutSuggestionOptions& options_;
   const Progress& progress_;
-  Edges cuts_;                        // those given and those suggested
+  Edges cuts_;                        // given and suggested cuts
   std::optional<LayoutFigures> now_;  // of the layout with cuts_
   bool drafted_ = false;              // now_ is known
   CutSuggestions out_;

@@ -23,7 +23,7 @@ class PinAreaConstraint : public LayoutTerm {
   void evaluate(int block, const Unknowns& x, bool derivatives, Value& out) const override {
     const LayoutTile& tile = model_.tiles[block / 2];
     const Side side = block % 2 == 0 ? Side::front : Side::back;
-    double scale = 1 - tile.shift[block % 2] / (2 * tile.area);  // of the pin's lengths
+    double scale = 1 - tile.shift[block % 2] / (2 * tile.area);  // scale of the pin's lengths
     Vec3 by_inset;
     for (int t = 0; t < 3; ++t) {
       by_inset(t) = -tile.length[t] / (2 * tile.area);

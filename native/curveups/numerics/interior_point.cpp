@@ -74,7 +74,7 @@ struct InteriorPoint::Linearization {
   Vector gradient;         // of the energies
   Vector pull;             // J^T m and the bounds' multipliers
   Values values;
-  double residual_sum = 0, largest_residual = 0;  // of c(z) - s
+  double residual_sum = 0, largest_residual = 0;  // residual c(z) - s
   double largest_violation = 0;                   // of c(z) >= 0
   double dual_error = 0;
   Complementarity products;

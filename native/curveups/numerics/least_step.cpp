@@ -138,7 +138,7 @@ LeastStepMethod::LeastStepMethod(const LeastStepProblem& problem)
   constexpr double mu = LeastStepProblem::dense_penalty;  // of several tried with the fewest steps
   const ArrayXd u = (rows_times(problem, z_.matrix()) + c_).array() * penalty_ / (2 * mu);
   const ArrayXd root = (1 + u.square()).sqrt();
-  const ArrayXd ratio = (u > 0).select(u + root, 1 / (root - u));  // of e's multipliers to m
+  const ArrayXd ratio = (u > 0).select(u + root, 1 / (root - u));  // ratio of e's multipliers to m
   const ArrayXd m = penalty_ / (1 + ratio);
   multiplier.line =
       joined({m, m * ratio, mu / (z_ - problem.lower.array()), mu / (problem.upper.array() - z_)});

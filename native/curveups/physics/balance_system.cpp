@@ -42,7 +42,7 @@ BalanceSystem::BalanceSystem(std::vector<ContactPoint> points, const Points3& ce
     basis_.push_back(make_basis(point.normal));
     joined.unite(point.tile[0], point.tile[1]);
   }
-  std::vector<char> supported(tile_count, 0);  // by component root
+  std::vector<char> supported(tile_count, 0);  // flag of a component, by its root
   for (int tile : held) supported[joined.find(tile)] = 1;
   std::vector<char> free(tile_count, 0);
   for (int i = 0; i < tile_count; ++i) {

@@ -15,7 +15,7 @@
 namespace curveups {
 namespace {
 
-constexpr double most_triangles = 5e6;  // of a membrane; 20,000 tiles have some 800,000
+constexpr double most_triangles = 5e6;  // limit for a membrane; 20,000 tiles have some 800,000
 
 // Size field h(r) = min(largest, at_corner + growth r) along a line from a pin corner, the number
 // of edges of that size in a length, I(r) = integral of dr / h, and its inverse.
@@ -77,7 +77,7 @@ void push_vertex(MembraneMesh& mesh, const std::vector<int>& corners,
 
 // Vertices at pin corners and along the patches' sides, each shared by the patches on it.
 struct SharedVertices {
-  std::vector<int> at_corner;  // by pin corner, -1 where no patch uses it
+  std::vector<int> at_corner;  // vertex by pin corner, -1 where no patch uses it
   std::unordered_map<std::uint64_t, std::vector<int>> on_side;  // from the lower pin corner
 };
 

@@ -96,7 +96,7 @@ struct ClearanceProgram::Need {
   Kind kind;
   int at, edge;  // a tile and its edge, -1: of a pin; or a vertex
   Side side;
-  double share;  // of A_pin_min or H_pin
+  double share;  // share of A_pin_min or H_pin
   bool operator<(const Need& o) const {
     return std::tie(kind, at, edge, side) < std::tie(o.kind, o.at, o.edge, o.side);
   }
@@ -204,7 +204,7 @@ std::vector<ClearanceProgram::Row> ClearanceProgram::rows(const DesignGeometry& 
     Need need;
     Vec3 derivative;
   };
-  std::map<std::tuple<Need::Kind, int, int>, std::vector<Need>> narrow;  // by kind, place and edge
+  std::map<std::tuple<Need::Kind, int, int>, std::vector<Need>> narrow;  // kind, place, edge
   Pins pins(here.tiles, here.truncation, parameters_);
   for (int i = 0; i < here.tiles.tile_count(); ++i) {
     for (Side side : {Side::front, Side::back}) pins.region(i, side);  // for all threads

@@ -26,14 +26,16 @@ std::vector<Vec2> stone(int stones, int k, double thickness) {
           on_joint(stones, k + 1, inner)};
 }
 
-// Whether there is a thrust: by the half-planes in which the crown's thrust H and moment M may lie.
+// True if a thrust exists: intersect the half-planes in which the crown's thrust H and moment M may
+// lie.
 bool thrust_line_exists(int stones, double thickness, double friction) {
   const double most = 1e3;
   Polygon region = {{0, -most}, {most, -most}, {most, most}, {0, most}};
   double weight = 0;
-  Vec2 moment = Vec2::Zero();  // of weights, first moments
+  Vec2 moment = Vec2::Zero();  // first moments of weights
   for (int k = stones / 2; k >= 0; --k) {
-    // Of the part between the crown and joint k: weights, and the crown's H (to the right) with M.
+    // Loads on the part between the crown and joint k: weights, and the crown's H (to the right)
+    // with M.
     const double angle = pi * k / stones;
     const Vec2 centre = on_joint(stones, k, radius);
     const Vec2 tangent(std::sin(angle), -std::cos(angle));  // into the next stone below

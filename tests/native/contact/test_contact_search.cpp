@@ -136,7 +136,7 @@ TEST(ContactSearch, PairsAreEquallyStiffWhereThatIsAskedFor) {
       EXPECT_NEAR(sums[0], asked, 1e-9);
       EXPECT_NEAR(sums[1], asked, 1e-9);
     } else {
-      EXPECT_GT(sums[0], 10 * sums[1]);  // by the area that touches
+      EXPECT_GT(sums[0], 10 * sums[1]);  // sums follow the area that touches
     }
   }
 }

@@ -83,7 +83,7 @@ TEST(Drag, DoesNotResistWhatMovesAsOne) {
   EXPECT_GT((far[0].t - from[0].t).norm(), 50);
   EXPECT_LT(drag.furthest_apart(far), 1e-6);
   EXPECT_LT(drag.value(far, 5), 1e-11);
-  // One that turns by 0.1 about halfway to its neighbour.
+  // Body that turns by 0.1 about halfway to its neighbour.
   Poses alone = from;
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.1, Vec3(0.6, 0, 0.8)).matrix();
   const Vec3 half = 0.5 * (from[0].t + from[1].t);

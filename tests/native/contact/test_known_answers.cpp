@@ -195,7 +195,7 @@ TEST(KnownAnswers, WedgeHoldsWhereTheTangentOfItsHalfAngleIsBelowFriction) {
   EXPECT_LT(push_left_in_groove(half_angle, 0.95 * limit), 1e-3);
 }
 
-// Whether a tower of stones stands, the k-th from the top over the next by `share` / (2 k) of its
+// True if a tower of stones stands, the k-th from the top over the next by `share` / (2 k) of its
 // length.
 bool tower_stands(int stones, double share) {
   Scene scene;

@@ -44,7 +44,7 @@ TEST(Meeting, ABodyThatTakesLongStepsPassesNothing) {
     scene.options.pace = pace;
     auto world = scene.world(0.5);
     EXPECT_TRUE(world->settle(100).at_rest) << path;
-    EXPECT_NEAR(world->poses()[1].t.x(), 1, 0.01) << path;  // it comes to rest on the plate
+    EXPECT_NEAR(world->poses()[1].t.x(), 1, 0.01) << path;  // rest on the plate
   }
 }
 

@@ -10,7 +10,7 @@
 namespace curveups::test {
 namespace {
 
-// Where each origin goes straight on.
+// Position of each origin that goes straight on.
 Poses straight(const Poses& poses, const Motions& motions, double lever) {
   Poses out = moved(poses, motions, lever);
   for (std::size_t i = 0; i < poses.size(); ++i) {

@@ -102,7 +102,7 @@ TEST(Parallel, EachIndexIsTakenOnceByWhoeverIsFree) {
       EXPECT_EQ(visits, std::vector<int>(count, 1));
     }
   }
-  // One that takes long keeps no other from being done meanwhile.
+  // Long work keeps no other from being done meanwhile.
   set_thread_count(2);
   std::atomic<int> done{0};
   parallel_each(100, [&](int i) {

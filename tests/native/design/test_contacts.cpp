@@ -15,7 +15,7 @@ TEST(Contacts, HingeOfTwoTilesTouchesInAFullRectangle) {
   ASSERT_EQ(patches.size(), 1u);
   const ContactPatch& patch = patches[0];
   EXPECT_EQ(patch.point_count, 4);
-  // By symmetry the interface is the plane x = 0.
+  // Symmetry makes the interface the plane x = 0.
   EXPECT_NEAR(std::abs(patch.normal.x()), 1, 1e-12);
   const Vec3 from = tiles.frame[tiles.contacts[0].tile[0]](Vec3(1, 1, 0)),
              to = tiles.frame[tiles.contacts[0].tile[1]](Vec3(1, 1, 0));

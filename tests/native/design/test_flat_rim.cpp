@@ -23,7 +23,7 @@ TileMesh fan(bool slit) {
   return make_tile_mesh(mesh, cuts, 0.1);
 }
 
-// Its tiles one after the other around the origin, which each takes `angle` of and is 2 mm off.
+// Tiles one after the other around the origin; each takes `angle` there and is 2 mm off.
 Points2 turned(double angle) {
   Points2 corners(18, 2);
   for (int k = 0; k < 6; ++k) {

@@ -111,7 +111,7 @@ TEST(RemoteOverlaps, LipsOfASlitOnARidgeAreSeparated) {
   EXPECT_EQ(truncation.pairs_of_type[4], 1);
   EXPECT_TRUE(truncation.unresolved.empty());
   EXPECT_LE(largest_overlap(tiles, truncation), tolerance::overlap_volume);
-  // By symmetry each loses the same, which the bisector plane takes.
+  // Symmetry takes the same from each, by the bisector plane.
   EXPECT_NEAR(volume(tile_body(tiles, truncation, 0)), volume(tile_body(tiles, truncation, 1)),
               1e-9);
 }

@@ -78,7 +78,7 @@ TEST_F(Files, AreTheSameByteForByteEveryTime) {
   }
 }
 
-// Whether triangles over points that are equal as written close up: every edge twice, opposed.
+// True if triangles over points that are equal as written close up: every edge twice, opposed.
 template <class Corner>
 bool closed(const std::vector<std::array<Corner, 3>>& triangles) {
   std::map<std::pair<Corner, Corner>, int> edges;
@@ -149,7 +149,7 @@ TEST_F(Files, APieceOnBridgesIsOneClosedShellWhereItIsFused) {
   ASSERT_TRUE(s.loose_tiles.empty());
   write_stl(s, "fused", path("a.stl"));
   const Facets facets = facets_of(read_file(path("a.stl")));
-  double apart = 0;  // what bodies hold by themselves, their overlaps twice
+  double apart = 0;  // volume of bodies by themselves, overlaps twice
   for (const char* kind : {"tiles", "support", "anchors"}) apart += s.volume(kind);
   EXPECT_LT(volume_of(facets), apart);
   // A bridge, 0.8 mm thick, reaches bridge_depth into a body at each of its ends.
@@ -203,7 +203,7 @@ TEST_F(Files, ThreeMfHoldsEveryBodyByNameWatertight) {
     std::vector<MODELMESHTRIANGLE> triangle(count);
     ASSERT_GE(lib3mf_meshobject_getvertices(object, vertex.data(), points, &got), 0);
     ASSERT_GE(lib3mf_meshobject_gettriangleindices(object, triangle.data(), count, &got), 0);
-    // By coordinates, not by index: what a reader that welds points makes of it.
+    // Compare by coordinates, as a reader does that welds points.
     std::vector<std::array<std::array<float, 3>, 3>> corners(count);
     for (DWORD k = 0; k < count; ++k) {
       for (int c = 0; c < 3; ++c) {

@@ -80,7 +80,7 @@ TEST_P(JointHolesOf, PiecesAreSoundAndLackTheHolesVolume) {
         holes += own;
       }
       EXPECT_EQ(holes, 4u);
-      // What is printed above the slab stays open, and the slab is the same.
+      // Holes above the slab stay open, and the slab is the same.
       EXPECT_EQ(model.volume("support"), without.volume("support"));
     }
   }

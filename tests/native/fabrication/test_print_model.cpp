@@ -168,7 +168,7 @@ TEST(Dimples, LeaveMaterialToOtherFacesAndToOneAnother) {
         least = std::min({least, to_faces, to_others});
       }
     }
-    // What is said is what is there, up to the distance of the points on a hollow.
+    // Reported volumes are those of the solids, up to the distance of points on a hollow.
     double said = 1e300;
     for (const ThinFeature& thin : model.thin) {
       if (thin.what == "material beside a dimple") said = std::min(said, thin.size);
@@ -377,7 +377,7 @@ TEST(PrintModel, NamesTilesWhosePinsTurnInsideOut) {
 
 TEST(PrintModelOf, SomeTilesAreTheseAtTheirPlaces) {
   const PrintModel all = make_print_model(test::sample_design());
-  solids_of(all, "tiles");  // what is built of all tiles is not theirs
+  solids_of(all, "tiles");  // solids of all tiles are not reused for some
   const PrintModel some = only_tiles(all, {7, 2, 7});
   ASSERT_EQ(some.bodies("print").size(), 2u);
   EXPECT_EQ(some.tiles[0].name, "T00003");

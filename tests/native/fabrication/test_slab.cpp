@@ -27,7 +27,7 @@ double polygon_area(const PrintBody& body, const PlanarFace& face) {
   return sum;
 }
 
-// Of the outer loop, whose upright walls are the slab's first faces.
+// Walls of the outer loop, which are the slab's first faces.
 double outline_area(const PrintBody& slab) {
   double sum = 0;
   for (const PlanarFace& wall : slab.faces) {

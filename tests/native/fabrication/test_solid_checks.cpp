@@ -35,7 +35,7 @@ PrintModel sample(const char* bumps) {
 
 bool valid(const TopoDS_Shape& shape) { return BRepCheck_Analyzer(shape).IsValid(); }
 
-// What check_solids says of a body's solid; "not built" where OpenCASCADE makes none.
+// Answer of check_solids for a body's solid; "not built" where OpenCASCADE makes none.
 std::string reason(const PrintBody& body) {
   try {
     return test::unsound({body});

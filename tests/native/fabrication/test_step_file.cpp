@@ -42,7 +42,7 @@ std::string text_of(const TDF_Label& label) {
   return utf8;
 }
 
-// What another program reads: the parts of the assembly by name.
+// Parts of the assembly by name, read by another program.
 struct ReadPart {
   TopoDS_Shape shape;
   Quantity_Color colour;
@@ -181,7 +181,7 @@ class Entities {
       if (at == std::string::npos) continue;
       std::string& text = text_[std::stoi(entity.substr(at + 1))];
       for (char c : entity.substr(entity.find('=') + 1)) {
-        if (c > ' ' && !(c == '(' && text.empty())) text += c;  // of complex ones the first part
+        if (c > ' ' && !(c == '(' && text.empty())) text += c;  // first part of complex ones
       }
     }
   }
@@ -200,7 +200,7 @@ class Entities {
     }
     return found;
   }
-  // Of a relation with a transformation: the contexts of its two representations.
+  // Contexts of the two representations of a relation with a transformation.
   std::set<int> contexts(int relation) const {
     const std::vector<int> related = references(relation);
     return {references(related[0]).back(), references(related[1]).back()};

@@ -57,7 +57,7 @@ TEST(ConformalMap, HalfSphereIsTheStereographicProjection) {
   const Points2 map = conformal_map(mesh);
   EXPECT_LT(worst_angle(mesh, map), 0.06);
   EXPECT_NEAR(map_area(mesh, map), surface_area(mesh), 1e-9 * surface_area(mesh));
-  // Its scale is c (1 + |p|^2 / c'^2): from 1/sqrt 2 at the pole to sqrt 2 at the rim by area.
+  // Scale c (1 + |p|^2 / c'^2): from 1/sqrt 2 at the pole to sqrt 2 at the rim by area.
   const Eigen::VectorXd scale = conformal_scale(mesh, map);
   EXPECT_NEAR(scale.minCoeff(), std::sqrt(0.5), 0.02);
   EXPECT_NEAR(scale.maxCoeff(), std::sqrt(2), 0.06);

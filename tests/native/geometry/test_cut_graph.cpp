@@ -26,7 +26,7 @@ struct Opened {
   int pieces, loops, handles, cuts;
 };
 
-// What the mesh is once its opening cuts are made; every cut must be an interior edge of it.
+// Mesh after its opening cuts; every cut must be an interior edge of it.
 Opened opened(const TriangleMesh& mesh, const Edges& given = Edges(0, 2)) {
   const MeshTopology topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
   const std::vector<char> before = flags(topology, given);

@@ -192,12 +192,12 @@ TEST(Remesh, TeethOfARaggedBoundaryAreNoCorners) {
   options.corner_reach = 3.5;
   const TriangleMesh even = remesh(plate, options).mesh;
   EXPECT_GT(shortest(even), 4.0);
-  for (double x : {0.0, 60.0}) {  // its four corners are some
+  for (double x : {0.0, 60.0}) {  // four corners among the vertices
     for (double y : {0.0, 60.0}) {
       EXPECT_LT((even.V.rowwise() - Eigen::RowVector3d(x, y, 0)).rowwise().norm().minCoeff(), 1.5);
     }
   }
-  // Of straight sides nothing is different.
+  // Straight sides change nothing.
   EXPECT_EQ(remesh(square, options).mesh.V, remesh(square, {7}).mesh.V);
 }
 

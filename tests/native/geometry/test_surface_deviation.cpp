@@ -90,11 +90,11 @@ TEST(SurfaceDeviation, TheLargestDistanceIsThatOfSamples) {
     EXPECT_LE(d.rms, d.max);
     beyond_vertices += largest > distances(mesh.V, closest).maxCoeff() + 0.01;
   }
-  EXPECT_GE(beyond_vertices, 5);  // where samples at vertices say too little
+  EXPECT_GE(beyond_vertices, 5);  // samples at vertices are too few there
 }
 
 TEST(SurfaceDeviation, AHoleIsFoundWithinAStep) {
-  // One big triangle over a plate with a slot: farthest in the slot's middle, at half its width.
+  // Big triangle over a plate with a slot: farthest in the slot's middle, at half its width.
   TriangleMesh plate = test::flat_square(8, 8), cover = test::flat_square(1, 8);
   Triangles rest(0, 3);
   for (int f = 0; f < plate.F.rows(); ++f) {

@@ -25,7 +25,7 @@ double second_difference(const LayoutState& state, const LayoutState& direction,
 }
 
 struct Curvature {
-  double exact;         // of half the sum of squares
+  double exact;         // derivative of half the sum of squares
   double gauss_newton;  // by first derivatives alone
   double modelled;      // with the curvature rows
 };

@@ -125,7 +125,7 @@ TEST(InteriorPoint, GoesOnWithWhatIsDiscoveredToTheSameSolution) {
         ++solved;
         // The barrier problem is solved: what is known is kept.
         EXPECT_GT(at(1, 2) - at(0, 2), 2.5 - 10 * mu);
-        // One while mu is large, one at the very end.
+        // First while mu is large, then at the very end.
         const std::size_t due = mu <= mu_end ? 3 : solved >= 2 ? 2 : 1;
         if (discovering.apart.size() >= due) return false;
         discovering.apart.push_back(all[discovering.apart.size()]);

@@ -114,7 +114,7 @@ TEST(LeastStep, MeetsTheOptimalityConditionsOfRandomProblems) {
   }
 }
 
-// Their multipliers are up to the penalty, and rounding of the dense rows must not outgrow the
+// Multipliers of soft rows are up to the penalty; rounding of the dense rows must not outgrow the
 // rest.
 TEST(LeastStep, KeepsItsDigitsWhereManyDenseRowsStayUnmet) {
   const LeastStepProblem p = make_random_problem(8, 400, 300, 80, 0.2, 5);

@@ -95,7 +95,7 @@ TEST(SparseCholesky, SolvesInTheOrderGiven) {
   const Eigen::VectorXd x = Eigen::VectorXd::Random(a.rows());
   const Eigen::VectorXd b = a.selfadjointView<Eigen::Lower>() * x;
   EXPECT_LT((P.transpose() * cholesky.solve(P * b) - x).norm(), 1e-10 * x.norm());
-  // By L alone: x^T A x is the square of what its half of the solution is long.
+  // With L alone, x^T A x is the squared norm of half of the solution.
   const Eigen::VectorXd half = cholesky.solve_lower(P * b);
   EXPECT_NEAR(half.squaredNorm(), x.dot(b), 1e-10 * x.dot(b));
   EXPECT_LT((P.transpose() * cholesky.solve_upper(half) - x).norm(), 1e-10 * x.norm());

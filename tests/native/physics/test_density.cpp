@@ -138,7 +138,7 @@ TEST(Density, RelaxedHessianIsNeverIndefinite) {
     EXPECT_GT(least, -1e-10 * (1 + relaxed.norm()));
     indefinite_plain += Eigen::SelfAdjointEigenSolver<Matrix6>(plain).eigenvalues()(0) < -1e-6;
   }
-  EXPECT_GT(indefinite_plain, 100);  // what the relaxation is for
+  EXPECT_GT(indefinite_plain, 100);  // reason for the relaxation
 }
 
 TEST(Density, RelaxedDensityIsConvexAlongSegments) {

@@ -85,7 +85,7 @@ TEST(Loads, GravityIsCarriedByHeldTilesOrByThePlane) {
   design.parameters.held_tiles = "T00001, T00004,T00008";
   const VerificationReport held = verify_design(design, {});
   EXPECT_LT(held.contact_forces.imbalance, 1e-9);
-  // One end of the dome carries it in another way than the other.
+  // Ends of the dome carry it in different ways.
   EXPECT_NE(held.contact_forces.normal_min, light.contact_forces.normal_min);
   // Two held neighbours need no force at their contact.
   const std::array<int, 2> pair = {light.contact_tiles(0, 0), light.contact_tiles(0, 1)};
@@ -107,7 +107,7 @@ TEST(Loads, GravityIsCarriedByHeldTilesOrByThePlane) {
   EXPECT_FALSE(heavy.valid);
 }
 
-// One tile, its back down on a table, with the weight acting at `place` of its back's corners.
+// Tile, its back down on a table, with the weight acting at `place` of its back's corners.
 Carried one_tile_on_a_table(const Vec3& place) {
   TriangleMesh one;
   one.V.resize(3, 3);

@@ -83,7 +83,7 @@ TEST(MembraneMesh, FillsEveryPatchOnBothSidesAndSharesItsSides) {
     for (std::size_t p = 0; p < area.size(); ++p) {
       EXPECT_NEAR(area[p], polygon_area(flat.domain.patches[p], flat.corners), 1e-9);
     }
-    // One component without gaps: edges of one triangle lie on pins or on free outer sides.
+    // Component without gaps: edges of one triangle lie on pins or on free outer sides.
     for (const auto& [edge, count] : edges) {
       EXPECT_LE(count, 2);
       EXPECT_LE((x.row(edge.first) - x.row(edge.second)).norm(), 1.3 * size);

@@ -10,7 +10,7 @@ namespace {
 
 using namespace test;
 
-// Of a dome's contact points, with one normal force for all but the first.
+// Judgement of a dome's contact points, with one normal force for all but the first.
 struct Judged {
   Design design = spread_design(hexagon(2, cap_height), 1.35, 1.2);
   DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);

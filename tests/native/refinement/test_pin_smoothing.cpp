@@ -49,7 +49,7 @@ TEST(PinSmoothing, LeavesAloneWhatNeedsNothingOrCannotBeHelped) {
   const PinSmoothing nothing = smooth_for_pins(mesh, Edges(0, 2), parameters, {});
   EXPECT_TRUE(nothing.remaining.empty());
   EXPECT_EQ(nothing.mesh.V, mesh.V);
-  parameters.A_pin_min = 18;  // of 21 mm2 that a tile has
+  parameters.A_pin_min = 18;  // mm2 of the 21 that a tile has
   const PinSmoothing impossible = smooth_for_pins(mesh, Edges(0, 2), parameters, {});
   EXPECT_TRUE(impossible.reached.empty());
   EXPECT_FALSE(impossible.remaining.empty());

@@ -47,7 +47,7 @@ int weak_points(const Design& design) {
   return verify_design(design, {}).contact_forces.points_below_f_min;
 }
 
-// One pin drawn in to its limits, on both sides.
+// Pin drawn in to its limits, on both sides.
 Design with_weakened_pin(int tile) {
   Design design = dome_design();
   const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);

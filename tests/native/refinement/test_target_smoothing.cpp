@@ -187,7 +187,7 @@ TEST(TargetSmoothing, StaysWithinItsBoundAndKeepsWhatIsNamed) {
   EXPECT_THROW(smooth_target(mesh, none, none, 3, parameters,
                              [](const std::string&, double) { return false; }),
                Cancelled);
-  // What is possible already stays as it is.
+  // Feasible targets stay as they are.
   const TriangleMesh dome = test::dome();
   EXPECT_EQ(smooth_target(dome, none, none, 3, Parameters(), {}).mesh.V, dome.V);
 }

@@ -18,7 +18,7 @@ template <int W>
 void expect_derivatives(const Term<W>& term, const BlockVector<W>& x, const std::vector<char>& free,
                         Curvature curvature, double accuracy = 1e-6) {
   SCOPED_TRACE(std::string(term.name()));
-  std::vector<Coupling> couplings(3, Coupling{0, 0});  // of terms before this one
+  std::vector<Coupling> couplings(3, Coupling{0, 0});  // couplings of terms before this one
   const int first = static_cast<int>(couplings.size());
   term.couple(couplings);
   BlockMatrix<W> hessian(std::make_shared<const BlockPattern>(free, couplings));
