@@ -5,13 +5,14 @@ set(place lib/curveups)
 install(TARGETS _native LIBRARY DESTINATION ${place}/Workbench/curveups)
 install(DIRECTORY Workbench DESTINATION ${place}
         FILES_MATCHING PATTERN "*.py" PATTERN "*.js" PATTERN "*.html" PATTERN "parameters.json" PATTERN "__pycache__" EXCLUDE)
-install(DIRECTORY resources DESTINATION ${place} PATTERN "*.ts" EXCLUDE)
+install(DIRECTORY resources DESTINATION ${place})
 install(FILES Init.py InitGui.py package.xml README.md LICENSE LICENSE.GPL-3.0
         DESTINATION ${place})
 file(CREATE_LINK ../../../${place} ${PROJECT_BINARY_DIR}/CurveUps SYMBOLIC)
 install(FILES ${PROJECT_BINARY_DIR}/CurveUps DESTINATION share/freecad/Mod)
 install(PROGRAMS packaging/debian/curveups DESTINATION bin)
 install(FILES CHANGELOG.md packaging/debian/copyright DESTINATION share/doc/curveups)
+install(DIRECTORY build/libraries/licences DESTINATION share/doc/curveups)  # of what is linked in
 
 # The Debian that this builds on is the one it is for: libraries' names and Python's version are its.
 find_package(Python3 REQUIRED COMPONENTS Interpreter)

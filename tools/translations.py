@@ -39,6 +39,7 @@ def texts() -> set[Text]:
     for path in (ROOT / "resources" / "ui").glob("*.ui"):
         found.update(texts_of_form(path.read_text(encoding="utf-8")))
     found.update(texts_of_parameters())
+    found.update(texts_of_states())
     found.update(texts_of_findings())
     found.update(texts_of_errors())
     found.update(texts_of_printers())
@@ -74,6 +75,17 @@ def texts_of_parameters() -> set[Text]:
     from curveups.features import properties
 
     return {(PROPERTIES, properties.tip_of(row)) for row in properties.rows()}
+
+
+def texts_of_states() -> set[Text]:
+    """Names of groups of parameters, and of states and verdicts."""
+    sys.path.insert(0, str(ROOT / "Workbench"))
+    from curveups.features import properties, status
+    from curveups.project.project import HOLDS
+
+    states = status.OUT_OF_DATE, status.EMPTY, status.INVALID, status.RUNNING
+    return {("CurveUpsSolve", word) for word in (
+        *properties.GROUPS, *status.VERDICTS.values(), *HOLDS.values(), *states)}
 
 
 def texts_of_printers() -> set[Text]:

@@ -1,52 +1,61 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Every third-party library as one interface target, named after what the rooms use it for.
 
-# CHOLMOD (supernodal module: GPL) on OpenBLAS, used by numerics/sparse_cholesky.cpp alone.
-find_path(CHOLMOD_INCLUDE cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
-find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
-find_library(OPENBLAS_LIBRARY openblas REQUIRED)
-find_package(OpenMP REQUIRED COMPONENTS CXX)
-add_library(curveups_cholmod INTERFACE)
-target_include_directories(curveups_cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE})
-# With OpenMP's flag Eigen would split products among threads: slower here, and sums in another order.
-target_compile_definitions(curveups_cholmod INTERFACE EIGEN_DONT_PARALLELIZE)
-target_link_libraries(curveups_cholmod INTERFACE ${CHOLMOD_LIBRARY} ${OPENBLAS_LIBRARY}
-                                                 OpenMP::OpenMP_CXX)
+# Static libraries that tools/libraries builds. Another copy in the process stays unseen: its names and
+# those here don't meet (bindings/exports.map).
+list(PREPEND CMAKE_PREFIX_PATH ${PROJECT_SOURCE_DIR}/build/libraries)
 
-# CGAL (meshing: GPL), used by geometry alone. Exact constructions need GMP and MPFR.
+# CHOLMOD (supernodal module: GPL) on OpenBLAS, both on one thread, used by numerics alone.
+find_path(CHOLMOD_HEADERS cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
+add_library(curveups_cholmod INTERFACE)
+target_include_directories(curveups_cholmod SYSTEM INTERFACE ${CHOLMOD_HEADERS})
+if(VCPKG_TARGET_TRIPLET)  # other systems: never built
+  find_package(CHOLMOD CONFIG REQUIRED)
+  find_package(BLAS REQUIRED)
+  target_link_libraries(curveups_cholmod INTERFACE SuiteSparse::CHOLMOD_static BLAS::BLAS)
+else()
+  find_library(CHOLMOD_ARCHIVE cholmod REQUIRED)
+  find_library(OPENBLAS_ARCHIVE openblas REQUIRED)
+  target_link_libraries(curveups_cholmod INTERFACE ${CHOLMOD_ARCHIVE} ${OPENBLAS_ARCHIVE})
+endif()
+
+# oneTBB, used by core alone.
+find_path(TBB_HEADERS oneapi/tbb/parallel_for.h REQUIRED)
+find_library(TBB_ARCHIVE NAMES tbb tbb12 REQUIRED)
+add_library(curveups_tbb INTERFACE)
+target_include_directories(curveups_tbb SYSTEM INTERFACE ${TBB_HEADERS})
+target_link_libraries(curveups_tbb INTERFACE ${TBB_ARCHIVE})
+
+# CGAL (meshing: GPL), used by geometry alone, as headers: its exact numbers are Boost's.
+set(CGAL_DISABLE_GMP ON)
 find_package(CGAL 5.5 REQUIRED)
 add_library(curveups_cgal INTERFACE)
 target_link_libraries(curveups_cgal INTERFACE CGAL::CGAL)
 
-# Ceres: least squares with robust losses, used by geometry/registration.cpp alone.
-find_package(Ceres 2.1 REQUIRED)
-
 # Clipper: unions and offsets of plane polygons, used by bodies alone.
-find_path(CLIPPER_INCLUDE polyclipping/clipper.hpp REQUIRED)
-find_library(CLIPPER_LIBRARY polyclipping REQUIRED)
+find_path(CLIPPER_HEADERS polyclipping/clipper.hpp REQUIRED)
+find_library(CLIPPER_ARCHIVE polyclipping REQUIRED)
 add_library(curveups_clipper INTERFACE)
-target_include_directories(curveups_clipper SYSTEM INTERFACE ${CLIPPER_INCLUDE})
-target_link_libraries(curveups_clipper INTERFACE ${CLIPPER_LIBRARY})
+target_include_directories(curveups_clipper SYSTEM INTERFACE ${CLIPPER_HEADERS})
+target_link_libraries(curveups_clipper INTERFACE ${CLIPPER_ARCHIVE})
 
-# OpenCASCADE, used by fabrication alone. The toolkits FreeCAD has loaded already.
-find_package(OpenCASCADE REQUIRED)
-add_library(curveups_occt INTERFACE)
-target_include_directories(curveups_occt SYSTEM INTERFACE ${OpenCASCADE_INCLUDE_DIR})
-target_link_libraries(curveups_occt INTERFACE TKernel TKMath TKG2d TKG3d TKGeomBase TKGeomAlgo
-  TKBRep TKTopAlgo TKPrim)
-# What reads STEP files back in tests; one toolkit since 7.8.
-if(OpenCASCADE_VERSION VERSION_LESS 7.8)
-  set(step_toolkits TKSTEPBase TKSTEPAttr TKSTEP209 TKSTEP TKXDESTEP)
-else()
-  set(step_toolkits TKDESTEP)
-endif()
-add_library(curveups_occt_step INTERFACE)
-target_link_libraries(curveups_occt_step INTERFACE curveups_occt TKMesh TKShHealing TKXSBase
-  ${step_toolkits} TKCDF TKLCAF TKCAF TKVCAF TKXCAF)
+# fmt: shortest digits of numbers, used by fabrication alone, as headers. Standard libraries have them
+# since g++ 11 only.
+find_path(FMT_HEADERS fmt/compile.h REQUIRED)
+add_library(curveups_fmt INTERFACE)
+target_include_directories(curveups_fmt SYSTEM INTERFACE ${FMT_HEADERS})
+target_compile_definitions(curveups_fmt INTERFACE FMT_HEADER_ONLY)
 
-# lib3mf: named bodies in 3MF files.
-find_path(LIB3MF_INCLUDE Model/COM/NMR_DLLInterfaces.h PATH_SUFFIXES lib3mf REQUIRED)
-find_library(LIB3MF_LIBRARY NAMES 3MF 3mf REQUIRED)
+# zlib: compressed 3MF files, used by fabrication alone.
+find_path(ZLIB_HEADERS zlib.h REQUIRED)
+find_library(ZLIB_ARCHIVE NAMES libz.a z zlib REQUIRED)
+add_library(curveups_zlib INTERFACE)
+target_include_directories(curveups_zlib SYSTEM INTERFACE ${ZLIB_HEADERS})
+target_link_libraries(curveups_zlib INTERFACE ${ZLIB_ARCHIVE})
+
+# lib3mf: reads 3MF files in tests.
+find_path(LIB3MF_INCLUDE Model/COM/NMR_DLLInterfaces.h PATH_SUFFIXES lib3mf)
+find_library(LIB3MF_LIBRARY NAMES 3MF 3mf)
 add_library(curveups_lib3mf INTERFACE)
 target_include_directories(curveups_lib3mf SYSTEM INTERFACE ${LIB3MF_INCLUDE})
 target_link_libraries(curveups_lib3mf INTERFACE ${LIB3MF_LIBRARY})

@@ -28,10 +28,6 @@
       <translation>Jetzt aufhören und den Entwurf unverändert lassen</translation>
     </message>
     <message>
-      <source>Export STEP…</source>
-      <translation>STEP exportieren…</translation>
-    </message>
-    <message>
       <source>Flat</source>
       <translation>Flach</translation>
     </message>
@@ -67,20 +63,16 @@
       <source>The path is out of date: the design has changed since</source>
       <translation>Der Weg ist veraltet: der Entwurf hat sich seither geändert</translation>
     </message>
-    <message>
-      <source>Write the tiles as they are shown to a STEP file</source>
-      <translation>Die Kacheln, wie sie zu sehen sind, als STEP-Datei schreiben</translation>
-    </message>
   </context>
   <context>
     <name>App::Property</name>
     <message>
-      <source>A pin with a smaller area makes the design invalid. From 0 to 1000 mm2. Takes effect with Solve.</source>
-      <translation>Ein Zapfen mit kleinerer Fläche macht den Entwurf ungültig. Von 0 bis 1000 mm2. Wirkt mit „Lösen“.</translation>
-    </message>
-    <message>
       <source>Add cylinders around the layout that carry the pull of the surplus membrane. Takes effect at once.</source>
       <translation>Zylinder um die Abwicklung setzen, die den Zug der überstehenden Membran aufnehmen. Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>Area that a pin's top gets where there is room. It makes the glue hold. From 0 to 1000 mm2. Takes effect with Solve.</source>
+      <translation>Fläche, die ein Zapfenende bekommt, wo Platz ist. Sie lässt den Kleber halten. Von 0 bis 1000 mm2. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
       <source>Choose how pieces are joined after printing: holes gives the tiles along their borders stitching holes. Takes effect with Solve.</source>
@@ -175,8 +167,8 @@
       <translation>Größter Abstand der STL- und 3MF-Facetten von den gekrümmten Flächen (Sehnenfehler). Von 0.0001 bis 1 mm. Wirkt mit dem nächsten Export.</translation>
     </message>
     <message>
-      <source>Least area of a pin's top. It makes the glue hold. From 0 to 1000 mm2. Takes effect with Solve.</source>
-      <translation>Kleinste Fläche eines Zapfenendes. Sie lässt den Kleber halten. Von 0 bis 1000 mm2. Wirkt mit „Lösen“.</translation>
+      <source>Least area of a pin's top. A smaller pin makes the design invalid. From 0 to 1000 mm2. Takes effect with Solve.</source>
+      <translation>Kleinste Fläche eines Zapfenendes. Ein kleinerer Zapfen macht den Entwurf ungültig. Von 0 bis 1000 mm2. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
       <source>Least coefficient of friction within the margin. From 0.01 to 10. Takes effect with Verify.</source>
@@ -193,6 +185,10 @@
     <message>
       <source>Least normal force at each contact point, as a fraction of the mean normal force. From 0 to 1. Takes effect with Verify.</source>
       <translation>Kleinste Normalkraft an jedem Kontaktpunkt, als Bruchteil der mittleren Normalkraft. Von 0 bis 1. Wirkt mit „Prüfen“.</translation>
+    </message>
+    <message>
+      <source>Let OpenCASCADE check the solids of all bodies, slabs too, instead of 16 of each kind. Takes effect with the next export.</source>
+      <translation>OpenCASCADE prüft die Solids aller Körper, auch Platten, statt 16 von jeder Art. Wirkt beim nächsten Export.</translation>
     </message>
     <message>
       <source>List the faces of a CAD part that become the target, such as Face3,Face7-9. Skin and open choose them where the list is empty. Takes effect with Solve.</source>
@@ -270,10 +266,6 @@
   <context>
     <name>CheckPanel</name>
     <message>
-      <source>Below</source>
-      <translation>Darunter</translation>
-    </message>
-    <message>
       <source>Cancel</source>
       <translation>Abbrechen</translation>
     </message>
@@ -282,12 +274,8 @@
       <translation>Machbarkeit</translation>
     </message>
     <message>
-      <source>Choose Both</source>
-      <translation>Beide wählen</translation>
-    </message>
-    <message>
-      <source>Compare the worst value of each margin with the value it needs. Click a row to colour the tiles by it and to go to the worst tile</source>
-      <translation>Den schlechtesten Wert jedes Spielraums mit dem nötigen vergleichen. Ein Klick auf eine Zeile färbt die Kacheln danach und geht zur schlechtesten</translation>
+      <source>Compare the worst value of each margin with the value it needs. ≈ marks an estimate: the layout may do a little better or worse. Click a row to colour the tiles by it and to go to the worst tile</source>
+      <translation>Den schlechtesten Wert jedes Spielraums mit dem nötigen vergleichen. ≈ kennzeichnet eine Schätzung: die Abwicklung kann etwas besser oder schlechter ausfallen. Ein Klick auf eine Zeile färbt die Kacheln danach und geht zur schlechtesten</translation>
     </message>
     <message>
       <source>End now and leave the design unchanged</source>
@@ -306,8 +294,12 @@
       <translation>Herausfinden, welche Teile der Zielfläche Kacheln werden können</translation>
     </message>
     <message>
+      <source>Margin</source>
+      <translation>Spielraum</translation>
+    </message>
+    <message>
       <source>Needed</source>
-      <translation>Nötig</translation>
+      <translation>Soll</translation>
     </message>
     <message>
       <source>Obstacles</source>
@@ -330,6 +322,10 @@
       <translation>Größen, die gehen</translation>
     </message>
     <message>
+      <source>Solve for Both Sizes</source>
+      <translation>Beide durch Lösen</translation>
+    </message>
+    <message>
       <source>Solve with a few lengths and thicknesses, the largest first, until a design is valid and its tiles stay within MaximumDeviation of the surface</source>
       <translation>Mit wenigen Längen und Dicken lösen, die größten zuerst, bis ein Entwurf gültig ist und seine Kacheln innerhalb von MaximumDeviation an der Fläche bleiben</translation>
     </message>
@@ -339,7 +335,7 @@
     </message>
     <message>
       <source>Worst</source>
-      <translation>Wert</translation>
+      <translation>Ist</translation>
     </message>
   </context>
   <context>
@@ -349,16 +345,16 @@
       <translation>Ein anderer Aufgabenbereich ist offen: ihn zuerst schließen</translation>
     </message>
     <message>
-      <source>Close</source>
-      <translation>Schließen</translation>
-    </message>
-    <message>
       <source>CurveUps is at work: stop or cancel that first</source>
       <translation>CurveUps arbeitet gerade: zuerst anhalten oder abbrechen</translation>
     </message>
     <message>
       <source>CurveUps: building solids ({seconds:.0f} s); an edit ends it</source>
       <translation>CurveUps: Volumenkörper werden gebaut ({seconds:.0f} s); eine Änderung beendet es</translation>
+    </message>
+    <message>
+      <source>CurveUps: settling tiles ({seconds:.0f} s); an edit ends it</source>
+      <translation>CurveUps: Kacheln setzen sich ({seconds:.0f} s); eine Änderung beendet das</translation>
     </message>
     <message>
       <source>Nothing is at work</source>
@@ -382,10 +378,6 @@
     </message>
     <message>
       <source>There is no layout yet: Solve makes it</source>
-      <translation>Es gibt noch keine Abwicklung: „Lösen“ berechnet sie</translation>
-    </message>
-    <message>
-      <source>There is no layout yet: run Solve</source>
       <translation>Es gibt noch keine Abwicklung: „Lösen“ berechnet sie</translation>
     </message>
     <message>
@@ -510,8 +502,8 @@
   <context>
     <name>CurveUpsSolve</name>
     <message>
-      <source> (and {count} more of this kind)</source>
-      <translation> (und {count} weitere dieser Art)</translation>
+      <source> ({count} more)</source>
+      <translation> ({count} weitere)</translation>
     </message>
     <message>
       <source>Anchors</source>
@@ -554,6 +546,10 @@
       <translation>Abweichung</translation>
     </message>
     <message>
+      <source>Edge length</source>
+      <translation>Kantenlänge</translation>
+    </message>
+    <message>
       <source>Edit the design</source>
       <translation>Entwurf bearbeiten</translation>
     </message>
@@ -568,6 +564,10 @@
     <message>
       <source>Files</source>
       <translation>Dateien</translation>
+    </message>
+    <message>
+      <source>First verification</source>
+      <translation>Erste Prüfung</translation>
     </message>
     <message>
       <source>Friction</source>
@@ -586,8 +586,28 @@
       <translation>Kleber</translation>
     </message>
     <message>
+      <source>Largest pin inset</source>
+      <translation>Größter Zapfenabstand</translation>
+    </message>
+    <message>
       <source>Layout</source>
       <translation>Abwicklung</translation>
+    </message>
+    <message>
+      <source>Least force ratio</source>
+      <translation>Kleinstes Kräfteverhältnis</translation>
+    </message>
+    <message>
+      <source>Least gap</source>
+      <translation>Kleinste Lücke</translation>
+    </message>
+    <message>
+      <source>Least pin area</source>
+      <translation>Kleinste Zapfenfläche</translation>
+    </message>
+    <message>
+      <source>Least pin inset</source>
+      <translation>Kleinster Zapfenabstand</translation>
     </message>
     <message>
       <source>Material of tiles</source>
@@ -612,6 +632,18 @@
     <message>
       <source>Pieces</source>
       <translation>Stücke</translation>
+    </message>
+    <message>
+      <source>Pin area</source>
+      <translation>Zapfenfläche</translation>
+    </message>
+    <message>
+      <source>Pin height</source>
+      <translation>Zapfenhöhe</translation>
+    </message>
+    <message>
+      <source>Pin inset</source>
+      <translation>Zapfenabstand</translation>
     </message>
     <message>
       <source>Reading the surface</source>
@@ -650,6 +682,10 @@
       <translation>Standard</translation>
     </message>
     <message>
+      <source>Stretch</source>
+      <translation>Dehnung</translation>
+    </message>
+    <message>
       <source>Suggestions</source>
       <translation>Vorschläge</translation>
     </message>
@@ -662,8 +698,16 @@
       <translation>Zielfläche</translation>
     </message>
     <message>
+      <source>Target: {name}</source>
+      <translation>Zielfläche: {name}</translation>
+    </message>
+    <message>
       <source>The fabrication kit is out of date</source>
       <translation>Der Bausatz ist veraltet</translation>
+    </message>
+    <message>
+      <source>Thickness</source>
+      <translation>Dicke</translation>
     </message>
     <message>
       <source>Tiles</source>
@@ -672,10 +716,6 @@
     <message>
       <source>Verification</source>
       <translation>Prüfung</translation>
-    </message>
-    <message>
-      <source>Verification of the layout</source>
-      <translation>Prüfung der Abwicklung</translation>
     </message>
     <message>
       <source>Warning: {what}</source>
@@ -741,10 +781,6 @@
       <translation>Die Form des gebauten Stücks berechnen: flach losgelassen, geschüttelt und über seine Form gedrückt</translation>
     </message>
     <message>
-      <source>Export STEP</source>
-      <translation>STEP exportieren</translation>
-    </message>
-    <message>
       <source>Frame {number} of {count}, {load}: {energy} stored</source>
       <translation>Bild {number} von {count}, {load}: {energy} gespeichert</translation>
     </message>
@@ -765,10 +801,6 @@
       <translation>Es gibt noch keinen Weg</translation>
     </message>
     <message>
-      <source>Tiles as they are shown</source>
-      <translation>Kacheln, wie sie zu sehen sind</translation>
-    </message>
-    <message>
       <source>pressed and let go</source>
       <translation>angedrückt und losgelassen</translation>
     </message>
@@ -779,10 +811,6 @@
     <message>
       <source>shaken</source>
       <translation>geschüttelt</translation>
-    </message>
-    <message>
-      <source>written: {path}</source>
-      <translation>geschrieben: {path}</translation>
     </message>
   </context>
   <context>
@@ -798,6 +826,18 @@
   </context>
   <context>
     <name>CurveUps_Check</name>
+    <message>
+      <source>Back / front</source>
+      <translation>Hinten / vorn</translation>
+    </message>
+    <message>
+      <source>Back membrane</source>
+      <translation>Membran hinten</translation>
+    </message>
+    <message>
+      <source>Back pin</source>
+      <translation>Zapfen hinten</translation>
+    </message>
     <message>
       <source>Check</source>
       <translation>Machbarkeit</translation>
@@ -819,12 +859,36 @@
       <translation>Vor dem Lösen herausfinden, welche Teile der Zielfläche Kacheln werden können</translation>
     </message>
     <message>
+      <source>Fold</source>
+      <translation>Falz</translation>
+    </message>
+    <message>
+      <source>Front membrane</source>
+      <translation>Membran vorn</translation>
+    </message>
+    <message>
+      <source>Front pin</source>
+      <translation>Zapfen vorn</translation>
+    </message>
+    <message>
+      <source>Least stretch</source>
+      <translation>Dehnung min</translation>
+    </message>
+    <message>
+      <source>Most stretch</source>
+      <translation>Dehnung max</translation>
+    </message>
+    <message>
       <source>Not feasible</source>
       <translation>Nicht machbar</translation>
     </message>
     <message>
       <source>Out of date: check again</source>
       <translation>Veraltet: bitte erneut ermitteln</translation>
+    </message>
+    <message>
+      <source>Overlaps</source>
+      <translation>Durchdringung</translation>
     </message>
     <message>
       <source>Use {name}</source>
@@ -837,6 +901,14 @@
     <message>
       <source>and {count} more</source>
       <translation>und {count} weitere</translation>
+    </message>
+    <message>
+      <source>likely: {why}</source>
+      <translation>wahrscheinlich: {why}</translation>
+    </message>
+    <message>
+      <source>{margin}: the worst tile is {tile}; tiles short of it: {count}</source>
+      <translation>{margin}: die schlechteste Kachel ist {tile}; Kacheln, denen etwas fehlt: {count}</translation>
     </message>
   </context>
   <context>
@@ -909,16 +981,16 @@
       <translation>Der Rand ist schon offen: eine innere Kante anklicken</translation>
     </message>
     <message>
+      <source>The target is being divided into tiles: click edges after that</source>
+      <translation>Die Zielfläche wird in Kacheln geteilt: danach Kanten anklicken</translation>
+    </message>
+    <message>
       <source>There are no cuts</source>
       <translation>Es gibt keine Schnitte</translation>
     </message>
     <message>
-      <source>run Solve first</source>
-      <translation>zuerst „Lösen“ ausführen</translation>
-    </message>
-    <message>
-      <source>the layout is of another target</source>
-      <translation>die Abwicklung gehört zu einer anderen Zielfläche</translation>
+      <source>layout with these cuts</source>
+      <translation>Abwicklung mit diesen Schnitten</translation>
     </message>
   </context>
   <context>
@@ -1019,12 +1091,12 @@
       <translation>Kacheln, die sich nicht machen lassen oder wohl nicht halten</translation>
     </message>
     <message>
-      <source>tiles with less space for pins than APinMin, before Solve makes space</source>
-      <translation>Kacheln mit weniger Platz für Zapfen als APinMin, bevor „Lösen“ welchen schafft</translation>
+      <source>tiles with less space for pins than APinFloor, before Solve makes space</source>
+      <translation>Kacheln mit weniger Platz für Zapfen als APinFloor, bevor „Lösen“ welchen schafft</translation>
     </message>
     <message>
-      <source>tiles with pins below APinMin</source>
-      <translation>Kacheln mit Zapfen unter APinMin</translation>
+      <source>tiles with pins below APinFloor</source>
+      <translation>Kacheln mit Zapfen unter APinFloor</translation>
     </message>
   </context>
   <context>
@@ -1074,6 +1146,10 @@
       <translation>* eine Schätzung: die Abwicklung kann etwas besser oder schlechter ausfallen</translation>
     </message>
     <message>
+      <source>--no-remesh takes other tiles</source>
+      <translation>--no-remesh nimmt andere Kacheln</translation>
+    </message>
+    <message>
       <source>; dimples stop what slides after {play:.3g mm} at most</source>
       <translation>; Mulden halten nach höchstens {play:.3g mm} auf, was gleitet</translation>
     </message>
@@ -1102,8 +1178,8 @@
       <translation>FreeCAD kann die Datei nicht lesen</translation>
     </message>
     <message>
-      <source>FreeCAD has not read the file within {0} s</source>
-      <translation>FreeCAD hat die Datei nicht innerhalb von {0} s gelesen</translation>
+      <source>FreeCAD has not made triangles within {0} s</source>
+      <translation>FreeCAD hat binnen {0} s keine Dreiecke gemacht</translation>
     </message>
     <message>
       <source>FreeCAD's Python was not found</source>
@@ -1138,12 +1214,8 @@
       <translation>L muss eine positive Länge sein</translation>
     </message>
     <message>
-      <source>OpenCASCADE failed {0} ({1})</source>
-      <translation>OpenCASCADE ist gescheitert: {0} ({1})</translation>
-    </message>
-    <message>
-      <source>a circular edge of {0} was not made</source>
-      <translation>eine Kreiskante von {0} kam nicht zustande</translation>
+      <source>OpenCASCADE failed building {0} ({1})</source>
+      <translation>OpenCASCADE konnte {0} nicht bauen ({1})</translation>
     </message>
     <message>
       <source>a coordinate of a solid is not finite</source>
@@ -1164,6 +1236,10 @@
     <message>
       <source>a cut runs along no edge of the target</source>
       <translation>ein Schnitt verläuft entlang keiner Kante der Zielfläche</translation>
+    </message>
+    <message>
+      <source>a face crosses itself</source>
+      <translation>eine Fläche schneidet sich selbst</translation>
     </message>
     <message>
       <source>a face has {0} corners</source>
@@ -1260,10 +1336,6 @@
     <message>
       <source>a soluble slab can't be printed front side down: it lies on the bed beside the back pins</source>
       <translation>eine lösliche Platte lässt sich nicht mit der Vorderseite nach unten drucken: sie liegt neben den hinteren Zapfen auf dem Bett</translation>
-    </message>
-    <message>
-      <source>a temporary file can't be written ({0})</source>
-      <translation>eine temporäre Datei lässt sich nicht schreiben ({0})</translation>
     </message>
     <message>
       <source>a tolerance of {0} mm is out of range</source>
@@ -1390,6 +1462,10 @@
       <translation>überprüfen, ob es den Ordner gibt, ob man in ihn schreiben kann und ob der Datenträger Platz hat</translation>
     </message>
     <message>
+      <source>check the cuts</source>
+      <translation>Schnitte prüfen</translation>
+    </message>
+    <message>
       <source>check the design for degenerate tiles</source>
       <translation>den Entwurf auf entartete Kacheln überprüfen</translation>
     </message>
@@ -1506,6 +1582,10 @@
       <translation>Koordinaten reichen bis {largest:.4g mm}, wo Dateien Stellen verlieren</translation>
     </message>
     <message>
+      <source>corners of its border have moved too far</source>
+      <translation>Ecken seines Randes haben sich zu weit bewegt</translation>
+    </message>
+    <message>
       <source>cut each handle open (--auto-cuts 1 or pieces=auto does)</source>
       <translation>jeden Henkel aufschneiden (--auto-cuts 1 oder pieces=auto tut das)</translation>
     </message>
@@ -1586,6 +1666,10 @@
       <translation>Bilder zeichnen</translation>
     </message>
     <message>
+      <source>earlier does not fit the tiles</source>
+      <translation>earlier passt nicht zu den Kacheln</translation>
+    </message>
+    <message>
       <source>edges is no list of pairs of vertex numbers</source>
       <translation>edges ist keine Liste von Paaren von Punktnummern</translation>
     </message>
@@ -1654,6 +1738,10 @@
       <translation>jede für sich abwickeln</translation>
     </message>
     <message>
+      <source>fold of {radius:.2g mm} radius at {tile}: {least:.2g mm} would do at L {L:.4g mm}, H_body {H_body:g mm}</source>
+      <translation>Falte mit {radius:.2g mm} Radius an {tile}: {least:.2g mm} würden genügen bei L {L:.4g mm}, H_body {H_body:g mm}</translation>
+    </message>
+    <message>
       <source>folds and neighbours leave no room for pins on {0}{1}</source>
       <translation>Falten und Nachbarn lassen keinen Platz für Zapfen auf {0}{1}</translation>
     </message>
@@ -1662,8 +1750,8 @@
       <translation>Falten sind zu scharf für Kacheln dieser Dicke: {0} Rückseiten verschwinden</translation>
     </message>
     <message>
-      <source>free some space</source>
-      <translation>Platz schaffen</translation>
+      <source>following the surface</source>
+      <translation>folgt der Fläche</translation>
     </message>
     <message>
       <source>friction and unilateral contacts</source>
@@ -1732,6 +1820,10 @@
     <message>
       <source>give a number, a text or true or false</source>
       <translation>eine Zahl, einen Text, true oder false angeben</translation>
+    </message>
+    <message>
+      <source>give a row for each tile</source>
+      <translation>für jede Kachel eine Zeile angeben</translation>
     </message>
     <message>
       <source>give a surface with triangles</source>
@@ -1804,10 +1896,6 @@
     <message>
       <source>give one flag per edge</source>
       <translation>einen Wert je Kante angeben</translation>
-    </message>
-    <message>
-      <source>give one of 0 to {0}</source>
-      <translation>eines von 0 bis {0} angeben</translation>
     </message>
     <message>
       <source>give one of the choices of membrane_model</source>
@@ -1918,6 +2006,10 @@
       <translation>FreeCAD installieren, dann tools/setup erneut ausführen</translation>
     </message>
     <message>
+      <source>install it with pip into FreeCAD's Python; designs, solids, STEP, STL and 3MF do without</source>
+      <translation>mit pip in FreeCADs Python installieren; Entwürfe, Körper, STEP, STL und 3MF brauchen es nicht</translation>
+    </message>
+    <message>
       <source>into the saddle at {tile}, which the flat map scales by {scale:.2g} of the mean</source>
       <translation>in den Sattel bei {tile}, den die flache Karte mit {scale:.2g} des Mittels skaliert</translation>
     </message>
@@ -1928,6 +2020,18 @@
     <message>
       <source>is it in metres or inches? set scale (1000 or 25.4), or choose a smaller L</source>
       <translation>Ist sie in Metern oder Zoll? scale setzen (1000 oder 25.4) oder ein kleineres L wählen</translation>
+    </message>
+    <message>
+      <source>it has another number of borders or holes</source>
+      <translation>die Zahl seiner Ränder oder Löcher ist anders</translation>
+    </message>
+    <message>
+      <source>it has another number of parts or handles</source>
+      <translation>die Zahl seiner Teile oder Henkel ist anders</translation>
+    </message>
+    <message>
+      <source>it has other creases</source>
+      <translation>es hat andere Knicke</translation>
     </message>
     <message>
       <source>it runs through {other}, another part of the target, and no plane parts them</source>
@@ -1950,12 +2054,20 @@
       <translation>ihr Stück lässt sich nicht flach auslegen: geschlossene Flächen und Henkel müssen zuerst aufgeschnitten werden</translation>
     </message>
     <message>
+      <source>its shape has changed too much</source>
+      <translation>seine Form hat sich zu sehr geändert</translation>
+    </message>
+    <message>
       <source>its {side} membrane would cut into it at a sharp corner or fold: pins rise {room:.2f mm} over it, {least:.2g mm} are wanted</source>
       <translation>ihre Membran ({side}) schnitte an einer scharfen Ecke oder Falte in sie: Zapfen stehen {room:.2f mm} über ihr, {least:.2g mm} sind verlangt</translation>
     </message>
     <message>
       <source>its {side} pin has room for {area:.3g mm2}, less than A_pin_floor ({least:g mm2})</source>
       <translation>ihr Zapfen ({side}) hat Platz für {area:.3g mm2}, weniger als A_pin_floor ({least:g mm2})</translation>
+    </message>
+    <message>
+      <source>join them in the CAD, or name the faces to take (faces)</source>
+      <translation>im CAD verbinden, oder die gewünschten Flächen nennen (faces)</translation>
     </message>
     <message>
       <source>joins the hole at {tile} to another boundary</source>
@@ -1986,6 +2098,10 @@
       <translation>Abwicklung</translation>
     </message>
     <message>
+      <source>leave one of them out</source>
+      <translation>eines davon weglassen</translation>
+    </message>
+    <message>
       <source>leave out the cut there, or cut elsewhere</source>
       <translation>den Schnitt dort weglassen oder anderswo schneiden</translation>
     </message>
@@ -2004,14 +2120,6 @@
     <message>
       <source>let the target be remeshed</source>
       <translation>die Zielfläche neu vernetzen lassen</translation>
-    </message>
-    <message>
-      <source>lib3mf could not write the print ({0})</source>
-      <translation>lib3mf konnte den Druck nicht schreiben ({0})</translation>
-    </message>
-    <message>
-      <source>lib3mf wrote no archive</source>
-      <translation>lib3mf hat kein Archiv geschrieben</translation>
     </message>
     <message>
       <source>list them with 'curveups parameters'</source>
@@ -2242,6 +2350,10 @@
       <translation>kein Volumen</translation>
     </message>
     <message>
+      <source>not flat</source>
+      <translation>nicht eben</translation>
+    </message>
+    <message>
       <source>notch of the bridge</source>
       <translation>Kerbe der Brücke</translation>
     </message>
@@ -2360,6 +2472,10 @@
     <message>
       <source>pin keep-out</source>
       <translation>Sperrbereich der Zapfen</translation>
+    </message>
+    <message>
+      <source>pins of A_pin_floor have no room at L {L:.4g mm}, H_body {H_body:g mm}, even where it is flat</source>
+      <translation>für Stifte von A_pin_floor ist bei L {L:.4g mm}, H_body {H_body:g mm} kein Platz, auch wo es eben ist</translation>
     </message>
     <message>
       <source>pins of at least A_pin_floor ({A_pin_floor:.3g mm2}) leave no room for stitching holes of {joint_hole:.3g mm}</source>
@@ -2574,10 +2690,6 @@
       <translation>„curveups design“ damit ausführen</translation>
     </message>
     <message>
-      <source>run Actuate</source>
-      <translation>„Aufrichten“ ausführen</translation>
-    </message>
-    <message>
       <source>run Solve</source>
       <translation>„Lösen“ ausführen</translation>
     </message>
@@ -2592,6 +2704,10 @@
     <message>
       <source>run tools/setup again</source>
       <translation>tools/setup erneut ausführen</translation>
+    </message>
+    <message>
+      <source>save it as text, or as STL or PLY</source>
+      <translation>als Text speichern, oder als STL oder PLY</translation>
     </message>
     <message>
       <source>see '{0} --help'</source>
@@ -3110,6 +3226,10 @@
       <translation>die Zielfläche ist keine Datei</translation>
     </message>
     <message>
+      <source>the target is tiled anew: {why}</source>
+      <translation>das Ziel wird neu gekachelt: {why}</translation>
+    </message>
+    <message>
       <source>the target was deleted: choose another with Target</source>
       <translation>das Ziel wurde gelöscht: mit „Ziel ändern“ ein anderes wählen</translation>
     </message>
@@ -3124,6 +3244,10 @@
     <message>
       <source>the tiles are up to {distance:.2g mm} from the surface</source>
       <translation>Die Kacheln sind bis zu {distance:.2g mm} von der Fläche entfernt</translation>
+    </message>
+    <message>
+      <source>the tiles follow the target: {kept} kept, {new} new</source>
+      <translation>die Kacheln folgen dem Ziel: {kept} behalten, {new} neu</translation>
     </message>
     <message>
       <source>the tiles touch along their front edge only</source>
@@ -3158,8 +3282,8 @@
       <translation>Die Membran ({side}) schnitte {depth:.3g mm} in den Körper von {tile}: H_pin erhöhen oder die Zapfen dort weniger zurücksetzen</translation>
     </message>
     <message>
-      <source>the {side} pin of {tile} has {area_mm2:.3g mm2}, less than A_pin_min</source>
-      <translation>Der Zapfen ({side}) von {tile} hat {area_mm2:.3g mm2}, weniger als A_pin_min</translation>
+      <source>the {side} pin of {tile} has {area_mm2:.3g mm2}: valid, but less than A_pin_min asks for</source>
+      <translation>Der Zapfen ({side}) von {tile} hat {area_mm2:.3g mm2}: gültig, aber weniger, als A_pin_min verlangt</translation>
     </message>
     <message>
       <source>there are no bodies of the kind '{0}'</source>
@@ -3182,10 +3306,6 @@
       <translation>es gibt keine eingebaute Zielfläche „{0}“</translation>
     </message>
     <message>
-      <source>there is no frame {0}</source>
-      <translation>es gibt kein Bild {0}</translation>
-    </message>
-    <message>
       <source>there is no language '{0}'</source>
       <translation>es gibt keine Sprache „{0}“</translation>
     </message>
@@ -3200,10 +3320,6 @@
     <message>
       <source>there is no membrane model '{0}'</source>
       <translation>es gibt kein Membranmodell „{0}“</translation>
-    </message>
-    <message>
-      <source>there is no path yet</source>
-      <translation>es gibt noch keinen Weg</translation>
     </message>
     <message>
       <source>there is no target</source>
@@ -3242,6 +3358,10 @@
       <translation>das hat keine Oberfläche</translation>
     </message>
     <message>
+      <source>this is a binary OFF file</source>
+      <translation>das ist eine binäre OFF-Datei</translation>
+    </message>
+    <message>
       <source>this is no JSON: {0}</source>
       <translation>das ist kein JSON: {0}</translation>
     </message>
@@ -3260,6 +3380,10 @@
     <message>
       <source>this is no readable PLY file, or it ends early: {0}</source>
       <translation>das ist keine lesbare PLY-Datei, oder sie endet zu früh: {0}</translation>
+    </message>
+    <message>
+      <source>this needs the Python package {0}, which this FreeCAD lacks</source>
+      <translation>das braucht das Python-Paket {0}, das diesem FreeCAD fehlt</translation>
     </message>
     <message>
       <source>through the weak contact {contact}</source>
@@ -3290,8 +3414,20 @@
       <translation>Kacheln reichen waagrecht bis zu {reach:.2g mm} über den Zapfen hinaus, auf dem sie stehen, {H_pin:g mm} über dem Bett; ein {printer} druckt {most:g mm} ohne Stützen</translation>
     </message>
     <message>
+      <source>tiles would be too large or too small for L</source>
+      <translation>Kacheln wären zu groß oder zu klein für L</translation>
+    </message>
+    <message>
+      <source>tiles would turn over</source>
+      <translation>Kacheln würden umschlagen</translation>
+    </message>
+    <message>
       <source>to the tip at {tile}, which the flat map scales by {scale:.2g} of the mean</source>
       <translation>zur Spitze bei {tile}, die die flache Karte mit {scale:.2g} des Mittels skaliert</translation>
+    </message>
+    <message>
+      <source>too many tiles would be new</source>
+      <translation>zu viele Kacheln wären neu</translation>
     </message>
     <message>
       <source>too small for three bumps</source>
@@ -3332,6 +3468,10 @@
     <message>
       <source>unknown parameter '{0}'</source>
       <translation>unbekannter Parameter „{0}“</translation>
+    </message>
+    <message>
+      <source>use a FreeCAD with Python {0}, or run tools/setup again</source>
+      <translation>ein FreeCAD mit Python {0} verwenden oder tools/setup noch einmal ausführen</translation>
     </message>
     <message>
       <source>use a coarser mesh</source>
@@ -3418,6 +3558,10 @@
       <translation>{0} schreiben</translation>
     </message>
     <message>
+      <source>{0} and {1} nearly meet: there is a gap of {2} mm</source>
+      <translation>{0} und {1} berühren sich fast: dazwischen ist eine Lücke von {2} mm</translation>
+    </message>
+    <message>
       <source>{0} can't be {1}</source>
       <translation>{0} kann nicht {1} sein</translation>
     </message>
@@ -3470,6 +3614,10 @@
       <translation>{0}; oder {1}</translation>
     </message>
     <message>
+      <source>{0}=auto makes other tiles</source>
+      <translation>{0}=auto macht andere Kacheln</translation>
+    </message>
+    <message>
       <source>{closed} of {edges} edges between pieces have no room for stitching holes: {pairs}</source>
       <translation>{closed} von {edges} Kanten zwischen Stücken haben keinen Platz für Nählöcher: {pairs}</translation>
     </message>
@@ -3488,6 +3636,10 @@
     <message>
       <source>{count} contacts are only a hinge: truncation leaves no interface</source>
       <translation>{count} Kontakte sind nur ein Scharnier: die Kappung lässt keine Berührfläche</translation>
+    </message>
+    <message>
+      <source>{count} edges of cuts are gone with their tiles</source>
+      <translation>{count} Kanten von Schnitten sind mit ihren Kacheln weggefallen</translation>
     </message>
     <message>
       <source>{count} faces are there twice</source>
@@ -3604,10 +3756,6 @@
   </context>
   <context>
     <name>CurveUps_Guide</name>
-    <message>
-      <source>Back</source>
-      <translation>Zurück</translation>
-    </message>
     <message>
       <source>Guide</source>
       <translation>Anleitung</translation>
@@ -4262,8 +4410,8 @@
       <translation>zwei Materialien: {material}, und Stützmaterial, das sich in einem Bad löst</translation>
     </message>
     <message>
-      <source>two sheets of latex, {thickness} mm thick, shear modulus {modulus} MPa, each at least {x:.0f} × {y:.0f} mm, of which {grip:g} mm around are for the grip</source>
-      <translation>zwei Latexfolien, {thickness} mm dick, Schubmodul {modulus} MPa, jede mindestens {x:.0f} × {y:.0f} mm groß, davon ringsum {grip:g} mm zum Greifen</translation>
+      <source>two sheets of latex, {thickness} mm thick, shear modulus {modulus} MPa, each at least {x:.0f} × {y:.0f} mm before it is stretched, of which {grip:g} mm around are for the grip</source>
+      <translation>zwei Latexfolien, {thickness} mm dick, Schubmodul {modulus} MPa, jede ungedehnt mindestens {x:.0f} × {y:.0f} mm groß, davon ringsum {grip:g} mm zum Greifen</translation>
     </message>
     <message>
       <source>washed and cured, no coat and no varnish</source>
@@ -4557,6 +4705,17 @@
     </message>
   </context>
   <context>
+    <name>CurveUps_TileAnew</name>
+    <message>
+      <source>Solve with new tiles: they do not follow the earlier ones, and get other numbers</source>
+      <translation>Mit neuen Kacheln lösen: sie folgen den bisherigen nicht und bekommen andere Nummern</translation>
+    </message>
+    <message>
+      <source>Tile Anew</source>
+      <translation>Neu kacheln</translation>
+    </message>
+  </context>
+  <context>
     <name>CurveUps_Verify</name>
     <message>
       <source>Decide whether the present layout is valid with the present tiles and membranes</source>
@@ -4570,8 +4729,8 @@
   <context>
     <name>CurveUps_WorstContacts</name>
     <message>
-      <source>; better ones that are not listed: {left}</source>
-      <translation>; bessere, die nicht aufgeführt sind: {left}</translation>
+      <source>, {count} with problems</source>
+      <translation>, {count} mit Problemen</translation>
     </message>
     <message>
       <source>List contacts and tiles, the worst first. Click one to go there</source>
@@ -4582,8 +4741,8 @@
       <translation>Schlechteste Kontakte</translation>
     </message>
     <message>
-      <source>with problems: {count}</source>
-      <translation>mit Problemen: {count}</translation>
+      <source>{shown} of {count} shown</source>
+      <translation>{shown} von {count} gezeigt</translation>
     </message>
   </context>
   <context>
@@ -4865,6 +5024,10 @@
       <translation>Abbrechen</translation>
     </message>
     <message>
+      <source>Check</source>
+      <translation>Machbarkeit</translation>
+    </message>
+    <message>
       <source>Decide whether the present layout is valid with the present membranes</source>
       <translation>Entscheiden, ob die jetzige Abwicklung mit den jetzigen Membranen gültig ist</translation>
     </message>
@@ -4883,6 +5046,10 @@
     <message>
       <source>End now and leave the design unchanged</source>
       <translation>Jetzt aufhören und den Entwurf unverändert lassen</translation>
+    </message>
+    <message>
+      <source>Find out which parts of the target can become tiles, before you solve</source>
+      <translation>Vor dem Lösen herausfinden, welche Teile der Zielfläche Kacheln werden können</translation>
     </message>
     <message>
       <source>From</source>

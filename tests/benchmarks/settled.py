@@ -13,7 +13,7 @@ from targets import chosen, solved, used
 
 from bench_results import DOCS, renew
 from curveups.base.errors import CurveUpsError
-from curveups.stages import asked_by
+from curveups.stages import stages_of
 
 WALLS = ("bumps", "dimples")
 Row = dict[str, Any]
@@ -23,7 +23,7 @@ def judge(target: str, bumps: str) -> Row:
     """Judgements by name, and figures of the settled state."""
     project = solved(target, bumps=bumps)
     begun = used()
-    results = project.run(asked_by("solve", "settle"))
+    results = project.run(stages_of("solve", "settle"))
     report = {**results["verification"].report(), **results["settle"].report()}
     block = report.get("settled", {})
     return {"tiles": len(results.design.F), "block": block, "seconds": used() - begun,

@@ -14,7 +14,7 @@ sys.path[:0] = [str(ROOT / "Workbench"), str(ROOT / "tools")]
 
 from curveups.base.native import native  # noqa: E402
 from curveups.project.project import Project  # noqa: E402
-from curveups.stages import asked_by  # noqa: E402
+from curveups.stages import stages_of  # noqa: E402
 from curveups.stages.cut_request import CutRequest  # noqa: E402
 from curveups.stages.surface import find_source  # noqa: E402
 
@@ -42,7 +42,7 @@ def solved(target: str, **values: Any) -> Project:
     name = Path(target).stem
     source = find_source(target, remesh=name == target, will_be_cut=False)
     project = Project(name, parameters, {"source": source, "cut request": CutRequest()}, target)
-    project.run(asked_by("solve"))
+    project.run(stages_of("solve"))
     return project
 
 

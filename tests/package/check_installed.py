@@ -22,6 +22,8 @@ def work():
     assert os.path.isfile(FreeCADGui.activeWorkbench().Icon)
     import curveups
     assert curveups.__file__.startswith('/usr/'), curveups.__file__
+    from curveups.window.notice import words_of
+    assert words_of('no text of ours') == 'no text of ours'  # its templates are there
     document = FreeCAD.openDocument(path)
     settle()
     assert document.Design.Verdict == 'valid', (document.Design.Verdict, document.Design.Reasons)

@@ -20,7 +20,7 @@ from curveups.project.project import Project
 from curveups.report.exports import report
 from curveups.report.actuation import front_corners, open_tiles
 from curveups.report.html import STATE_NAMES
-from curveups.stages import RISEN, asked_by
+from curveups.stages import RISEN, stages_of
 from curveups.stages.actuation import RELAXED, STATES, findings
 from curveups.stages.stage import Job
 
@@ -50,7 +50,7 @@ def project(risen):
     parameters.set("bumps", "none")
     parameters.set("friction_coefficient", 0.6)
     made.parameters = parameters
-    made.run(asked_by("actuate"))
+    made.run(stages_of("actuate"))
     return made
 
 
@@ -193,8 +193,8 @@ def test_a_design_that_needs_little_friction_is_asked_for_by_a_flag(curveups, tm
 
 
 def test_the_command_shows_what_the_stage_finds(risen, project):
-    assert asked_by("actuate") == (RISEN,)
-    assert RISEN not in asked_by("check", "cuts", "solve", "settle", "verify", "build", "print")
+    assert stages_of("actuate") == (RISEN,)
+    assert RISEN not in stages_of("check", "cuts", "solve", "settle", "verify", "build", "print")
     piece = project.latest(RISEN)
     assert json.loads(json.dumps(piece.block)) == risen.block
     assert np.array([frame["poses"] for frame in risen.frames]) == pytest.approx(piece.frames, abs=1e-9)
@@ -275,12 +275,12 @@ def stopped_after(count):
 
 def test_a_stop_keeps_the_path_so_far(risen):
     project = Project.of_design(risen.design)
-    piece = project.run(asked_by("actuate"), stopped_after(6))[RISEN]
+    piece = project.run(stages_of("actuate"), stopped_after(6))[RISEN]
     assert piece.stopped and 1 <= len(piece.frames) < len(risen.frames)
     assert [one.kind for one in piece.findings()] == ["actuation_relaxed", "actuation_stopped"]
     assert piece.built == RELAXED and len(piece.deviations) == 1
     project.forget_stopped()
     assert project.latest(RISEN) is None
     with pytest.raises(Stopped):
-        project.run(asked_by("actuate"), Job(lambda what, fraction: what != "relaxing"))
+        project.run(stages_of("actuate"), Job(lambda what, fraction: what != "relaxing"))
     assert project.latest(RISEN) is None

@@ -16,7 +16,7 @@ from curveups.base.native import native
 from curveups.kit import beds, drawing, files, maps
 from curveups.kit import kit as kit_module
 from curveups.project.project import Project
-from curveups.stages.solids import amounts
+from curveups.stages.solids import amounts, check_solids
 from curveups.stages.stage import Job
 
 
@@ -42,8 +42,8 @@ def require_whole(model, found, printer):
         bed = found.bed(number)
         room = np.array(printer["bed_mm"][:2]) + 1e-6
         assert (np.abs(bed.mesh("tiles")[0][:, :2]).max(0) <= room / 2).all()
-        assert (bed.bbox[:2] <= room).all() and not bed.judge_solids()[0]
-        bodies += len(bed.piece_of_bodies("tiles"))
+        assert (bed.bbox[:2] <= room).all() and check_solids(bed, True, Job())[0] == []
+        bodies += len(bed.bodies("tiles"))
         volume += bed.volumes["tiles"]
     assert bodies == model.tile_count and volume == pytest.approx(model.volumes["tiles"])
 
@@ -77,8 +77,8 @@ def test_anchors_for_which_there_is_no_room_are_left_out(design):
     model, found, printer = divided(design, bed)
     assert len(found.places) == 1 and not found.seams
     require_whole(model, found, printer)
-    anchors = found.model.piece_of_bodies("anchors")
-    assert 0 < found.left_out == len(model.piece_of_bodies("anchors")) - len(anchors)
+    anchors = found.model.bodies("anchors")
+    assert 0 < found.left_out == len(model.bodies("anchors")) - len(anchors)
     assert len(anchors) > 4 and found.model.volumes["support"] > 0
     # What the order counts is what goes on the bed.
     whole, printed = amounts([model]), amounts([found.bed(0)])
@@ -108,7 +108,7 @@ def test_parts_butt_in_a_frame(design, support, orientation):
     assert {text.dxf.text for text in space.query("TEXT")} == {
         f"{part + 1}" for bed in found.places for part in bed}
     if support == "breakaway":
-        anchors = len(found.model.piece_of_bodies("anchors"))
+        anchors = len(found.model.bodies("anchors"))
         assert len(parts) == model.tile_count + anchors and not pockets  # on a drawing
         return
     pocket, = pockets
@@ -136,11 +136,12 @@ def area(line):
 def test_pieces_lie_side_by_side_on_as_few_beds(design):
     """Kit of a cap that is cut in two."""
     V, F = np.asarray(design.V), np.asarray(design.F)
-    left = V[F].mean(1)[:, 0] < 0
+    T = np.asarray(design.T)
+    left = T.mean(1)[:, 0] < T.mean((0, 1))[0]
     edges = [{tuple(sorted((int(f[k]), int(f[(k + 1) % 3])))) for f in half for k in range(3)}
              for half in (F[left], F[~left])]
     cuts = sorted(edges[0] & edges[1])
-    T = np.asarray(design.T) + np.where(left, -35.0, 35.0)[:, None, None] * (1, 0)
+    T = T + np.where(left, -35.0, 35.0)[:, None, None] * (1, 0)
     two = native.Design("two", design.parameters, V, F, T, design.q, np.array(cuts, np.int32))
     model, found, printer = divided(two, (66, 118))
     assert model.piece_count == 2 and len(found.places) == 1 and not found.seams

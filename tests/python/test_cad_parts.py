@@ -123,6 +123,24 @@ def test_gaps_between_faces_are_closed(parts):
     assert area(found) == pytest.approx(2 * 40 * 30, rel=1e-3)
 
 
+def test_sheets_that_nearly_meet_are_refused_by_name(parts):
+    with pytest.raises(CurveUpsError) as refused:
+        read_cad(parts["apart"], 0.05)
+    assert "Face1" in refused.value.what and "Face2" in refused.value.what and "0.2 mm" in refused.value.what
+    assert len(read_cad(parts["apart"], 0.05, choice=Choice(faces="Face1")).F)
+
+
+@pytest.mark.parametrize("ending", ["step", "iges", "brep"])
+@pytest.mark.parametrize("name, errors", [("tube", []), ("vase_of_halves", []), ("lemon", []),
+                                          ("torus_of_halves", ["closed"])])
+def test_closed_faces_have_no_seam(tmp_path, name, errors, ending):
+    """IGES has two edges where a surface closes, and none in common between faces."""
+    surface = read_cad(cad.make(tmp_path, name, ending=ending)[name], 0.05)
+    clean = native.clean_mesh(surface.V, surface.F)
+    findings = native.check_mesh(clean.V, clean.F, 7.0, False)
+    assert [finding.kind for finding in findings if finding.is_error] == errors
+
+
 @pytest.mark.filterwarnings("error")
 def test_faces_without_triangles_are_no_wall_and_no_warning():
     """Damaged file: the share of such a face was 0 / 0."""

@@ -12,15 +12,16 @@ from curveups.base.findings import Finding
 from curveups.base.native import native
 from curveups.base.parameters import with_values
 from curveups.report import check
-from curveups.stages import asked_by
-from curveups.stages.feasibility import Obstacle, TileFigure, examine, too_stretched
+from curveups.stages import stages_of
+from curveups.stages.feasibility import (Obstacle, TileFigure, examine, least_radius,
+                                         sharpest_fold, too_stretched)
 from curveups.stages.sizes import limit, unhindered
 from curveups.stages.stage import Job
 from made import project, sheet
 from shapes import obj_text
 
 NO_CUTS = np.zeros((0, 2), np.int32)
-LIMITS = asked_by("check", "sizes")
+LIMITS = stages_of("check", "sizes")
 
 
 def cone(slope):
@@ -85,6 +86,52 @@ def test_a_tip_is_named_and_a_higher_pin_clears_it(curveups, tmp_path):
     assert curveups("check", path, "--set", "H_pin=2").status == 0
 
 
+def roof(radius, angle):
+    """Two planes with a fold between them; its arc turns by this angle (degrees)."""
+    half = math.radians(angle) / 2
+    reach = radius * math.sin(half)
+
+    def height(x, y):
+        if abs(x) < reach:
+            return math.sqrt(radius ** 2 - x * x)
+        return radius * math.cos(half) - (abs(x) - reach) * math.tan(half)
+
+    return sheet(height, parts=120)
+
+
+def test_the_sharpest_fold_is_named_with_the_radius_that_does():
+    at = project(*roof(3.0, 110), L=7.0).run(("feasibility",))["feasibility"]
+    sharp = at.sharpest
+    assert sharp.kind == "sharp" and sharp.tiles[0] in {one.tile for one in at.blocked}
+    assert np.abs(at.V[at.F[sharp.tiles[0]]].mean(axis=0)[0]) < 7  # beside the fold, along y
+    assert 2 < sharp.figures["radius"] < 4.5
+    assert str(sharp) == (f"fold of {sharp.figures['radius']:.2g} mm radius at T{sharp.tiles[0] + 1:05d}: "
+                          f"{sharp.figures['least']:.2g} mm would do at L 7 mm, H_body 3 mm")
+    least = sharp.figures["least"]
+    assert least == least_radius(with_values(native.Parameters(), {"L": 7.0}))
+    around = project(*roof(1.1 * least, 110), L=7.0).run(("feasibility",))["feasibility"]
+    assert around.feasible and around.sharpest is None
+
+
+def test_thick_tiles_ask_for_blunt_folds_and_small_ones_have_no_room_for_pins():
+    def least(**values):
+        return least_radius(with_values(native.Parameters(), values))
+
+    assert 3 < least(L=9.0, H_body=3.0) < least(L=9.0, H_body=6.0) < 12
+    flat = project(*sheet(lambda x, y: 0.0, 10, 4), L=2.6, H_body=0.4).run(("feasibility",))["feasibility"]
+    assert flat.sharpest.kind == "sharp.flat" and "even where it is flat" in str(flat.sharpest)
+
+
+def test_narrow_tiles_are_no_folds():
+    V, F = sheet(lambda x, y: 0.0, 14, 4)
+    V[:, 1] *= 0.2
+    narrow = project(V, F, remesh=False).run(("feasibility",))["feasibility"]
+    assert {one.obstacle for one in narrow.blocked} >= {"pin"} and narrow.sharpest is None
+    alone = examine(V[F[0]] * [1, 0.2, 1], np.array([[0, 1, 2]], np.int32), NO_CUTS, native.Parameters())
+    assert {one.obstacle for one in alone.blocked} >= {"pin"}
+    assert sharpest_fold(alone, native.Parameters()) is None
+
+
 def test_bad_input_leaves_nothing(curveups, tmp_path):
     ran = curveups("check", tmp_path / "none.obj", "-o", tmp_path / "out")
     assert ran.status == 2 and len(ran.error_lines) == 1 and not (tmp_path / "out").exists()
@@ -105,9 +152,10 @@ def test_parts_that_run_into_one_another_are_named():
     V, F = sheet(lambda x, y: 0.0, 14, 4)
     both = np.vstack([V, V - [0, 0, 1.0]])
     found = examine(both, np.vstack([F, F + len(V)]).astype(np.int32), NO_CUTS, native.Parameters())
-    assert found.overlapping.size and not found.feasible
-    named = {one.tile for one in found.blocked if one.obstacle == "overlap" and one.certain}
-    assert named == set(found.overlapping.ravel().tolist())
+    pairs = {(obstacle.tile, *obstacle.why.figures["other"]) for obstacle in found.blocked
+             if obstacle.obstacle == "overlap" and obstacle.certain}
+    assert pairs and not found.feasible
+    assert all((tile < len(F)) != (other < len(F)) and (other, tile) in pairs for tile, other in pairs)
 
 
 def test_pins_between_parts_that_face_one_another_need_room():
@@ -117,9 +165,9 @@ def test_pins_between_parts_that_face_one_another_need_room():
 
     assert found(5.01).feasible
     low = found(4.9)
-    assert not any(one.certain for one in low.blocked) and not low.feasible and not low.overlapping.size
+    assert not any(one.certain for one in low.blocked) and not low.feasible
     assert {one.obstacle for one in low.blocked} == {"overlap"} and low.blocked[0].why.kind == "overlap.pins"
-    assert {one.tile for one in low.blocked} == set(low.meeting.ravel().tolist()) == set(range(len(low.F)))
+    assert {one.tile for one in low.blocked} == set(range(len(low.F)))
     assert found(4.9, H_pin=0.94).feasible and found(4.9, H_body=2.89).feasible
     # Tiles by which a design is held are no tiles of what is tried.
     parameters = native.Parameters()
@@ -128,7 +176,7 @@ def test_pins_between_parts_that_face_one_another_need_room():
 
 
 def test_the_terminal_says_why_tiles_can_not_be_made():
-    results = project(*storeys(1.0), remesh=False).run(asked_by("check"))
+    results = project(*storeys(1.0), remesh=False).run(stages_of("check"))
     lines = check.table(results)
     place = next(k for k, line in enumerate(lines) if line.startswith("64 of 64 tiles can't be made"))
     assert lines[place + 1:] == ["  T00001: it runs through T00033, another part of the target, and no plane "

@@ -57,9 +57,9 @@ def test_pins_that_get_too_small_are_warned_about(curveups, designed, tmp_path):
     assert ran.status == 0, ran.err
     _, report = read(tmp_path)
     assert report["reasons"] == [UNJUDGED] and report["constraints"]["pin_sides_below_area"] == 24
-    small = [w["tiles"] for w in report["warnings"] if "less than A_pin_min" in w["what"]]
+    small = [w["tiles"] for w in report["warnings"] if "less than A_pin_min asks for" in w["what"]]
     assert sorted(tile for tiles in small for tile in tiles) == list(range(24))
-    said = [line for line in ran.err.splitlines() if "less than A_pin_min" in line]
+    said = [line for line in ran.err.splitlines() if "less than A_pin_min asks for" in line]
     assert len(said) == 1 and said[0].endswith("(and 23 more of this kind)"), ran.err
 
 

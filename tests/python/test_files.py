@@ -97,7 +97,7 @@ def test_a_full_disk_leaves_whole_files_only(cap, designed, tmp_path):
     assert done.returncode == NOT_WRITTEN, done.stderr
     errors = [x for x in done.stderr.splitlines() if x.startswith("curveups: error: ")]
     assert len(errors) == 1 and "report.html" in errors[0] and "complete are design.json" in errors[0]
-    assert names(tmp_path / "out") == {"design.json"}
+    assert names(tmp_path / "out") == {"design.json", "report.json"}
     assert (tmp_path / "out" / "design.json").read_bytes() == (designed.folder / "design.json").read_bytes()
 
 

@@ -69,8 +69,8 @@ def test_an_error_keeps_the_value_that_it_is():
 
 def test_an_entry_of_a_report_has_its_figures():
     entry = Finding.about("small_pin.side", [4], side="front", tile=(4,), area_mm2=3.5).entry()
-    assert entry == {"what": "the front pin of T00005 has 3.5 mm2, less than A_pin_min", "kind": "small_pin",
-                     "tile": [4], "tiles": [4], "side": "front", "area_mm2": 3.5}
+    assert entry == {"what": "the front pin of T00005 has 3.5 mm2: valid, but less than A_pin_min asks for",
+                     "kind": "small_pin", "tile": [4], "tiles": [4], "side": "front", "area_mm2": 3.5}
 
 
 def test_every_kind_has_a_sentence():

@@ -412,7 +412,7 @@ def test_cuts_end_in_stop_holes(curveups, tmp_path):
                    "--no-solids")
     assert ran.status == 0, ran.err
     design = native.read_design((tmp_path / "d" / "design.json").read_text("utf-8"))
-    found = maps.marks(Kit(Project.of_design(design).run(("solids",)), {"valid": True}))
+    found = maps.marks(Kit(Project.of_design(design).run(("bodies",)), {"valid": True}))
     assert len(found.circles["cut"]) == len(found.lines["cut"]) == 1
 
 

@@ -83,21 +83,44 @@ def test_sound_file(tmp_path, name):
         assert np.array_equal(read_F, F)
 
 
-def test_a_3mf_is_read_where_its_build_places_it_in_millimetres(tmp_path):
+def write_3mf(path, V, F, unit, objects, items):
+    """Object 1 is the mesh; objects and items are text of the model."""
     model = (
-        '<model unit="centimeter" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">'
+        f'<model unit="{unit}" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">'
         '<resources><object id="1"><mesh><vertices>'
-        + "".join('<vertex x="%r" y="%r" z="%r"/>' % tuple(row) for row in V.tolist())
+        + "".join('<vertex x="%r" y="%r" z="%r"/>' % tuple(row) for row in V)
         + "</vertices><triangles>"
         + "".join('<triangle v1="%d" v2="%d" v3="%d"/>' % tuple(face) for face in F)
-        + '</triangles></mesh></object><object id="2"><components>'
-        '<component objectid="1" transform="1 0 0 0 1 0 0 0 1 2 0 0"/></components></object></resources>'
-        '<build><item objectid="2" transform="0 1 0 -1 0 0 0 0 1 0 0 5"/></build></model>')
-    with zipfile.ZipFile(tmp_path / "a.3mf", "w") as archive:
+        + f"</triangles></mesh></object>{objects}</resources><build>{items}</build></model>")
+    with zipfile.ZipFile(path, "w") as archive:
         archive.writestr("3D/3dmodel.model", model)
+
+
+def component(number, part, transform):
+    return (f'<object id="{number}"><components><component objectid="{part}" transform="{transform}"/>'
+            "</components></object>")
+
+
+def test_a_3mf_is_read_where_its_build_places_it_in_millimetres(tmp_path):
+    write_3mf(tmp_path / "a.3mf", V.tolist(), F, "centimeter", component(2, 1, "1 0 0 0 1 0 0 0 1 2 0 0"),
+              '<item objectid="2" transform="0 1 0 -1 0 0 0 0 1 0 0 5"/>')
     read = read_target(tmp_path / "a.3mf", 0.01)
     x, y, z = V.T
     assert np.allclose(read.V, 10 * np.stack([-y, x + 2, z + 5], axis=1)) and np.array_equal(read.F, F)
+
+
+@pytest.mark.parametrize("unit, length", [("inch", 25.4), ("micron", 1e-3), ("millimeter", 1.0)])
+@pytest.mark.parametrize("mirrored", ["", "item", "component", "both"])
+def test_outsides_of_a_3mf_stay_outside(tmp_path, unit, length, mirrored):
+    corners = [[0, 0, 0], [3, 0, 0], [0, 4, 0], [0, 0, 5]]
+    faces = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
+    turned = {name: "-1 0 0 0 1 0 0 0 2 0 0 7" if mirrored in (name, "both") else "1 0 0 0 1 0 0 0 2 0 0 7"
+              for name in ("item", "component")}
+    write_3mf(tmp_path / "a.3mf", corners, faces, unit, component(2, 1, turned["component"]),
+              f'<item objectid="2" transform="{turned["item"]}"/>')
+    read = read_target(tmp_path / "a.3mf", 0.01)
+    volume = np.linalg.det(read.V[read.F]).sum() / 6
+    assert volume == pytest.approx(4 * 3 * 4 * 5 / 6 * length**3)
 
 
 def test_lists_of_several_lengths_and_other_data_of_a_binary_ply(tmp_path):
@@ -114,7 +137,9 @@ BROKEN = {  # words, and an end that comes early; the fuzzer tries the rest
     "word.obj": (obj().replace("v 9.0", "v nine"), "line 2"),
     "beyond.obj": (obj() + "f 1 2 9\n", "not there"),
     "nan.obj": (obj().replace("9.0", "nan"), "finite"), "empty.obj": ("", "no faces"),
-    "not-off.off": ("COFFEE\n", "no OFF file"), "fewer.off": (OFF.replace("4 2 0", "4 3 0"), "ends early"),
+    "not-off.off": ("COFFEE\n", "no OFF file"),
+    "binary.off": (b"OFF BINARY\n\0\0\0\4\xff", "binary OFF"),
+    "fewer.off": (OFF.replace("4 2 0", "4 3 0"), "ends early"),
     "word.stl": (stl().replace("vertex 9.0 9.0", "vertex foo 9.0", 1), "can't be read"),
     "cut-off.stl": (stl()[:-40], "ends early"), "short-binary.stl": (binary_stl()[:-1], "ends early"),
     "word.ply": (PLY.replace("9.0 0.0 0.0", "foo 0.0 0.0"), "foo"),

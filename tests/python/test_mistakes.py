@@ -3,6 +3,7 @@
 
 import json
 import threading
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -19,7 +20,7 @@ from curveups.base.native import native
 from curveups.project.project import Project
 from curveups.stages import sheets, solids, suggestions, surface, verification
 from curveups.stages.cut_request import CutRequest
-from curveups.stages.design import Figures
+from curveups.stages.design import FIGURES, Figures, relaxed_warnings, with_doubt
 from curveups.stages.solids import Check
 from curveups.stages.stage import Inputs, Job
 from curveups.stages.surface import find_source
@@ -143,7 +144,7 @@ UNSETTLED = Finding.about("unsettled", iterations=7)
 
 def judged(broken=(), unsettled=UNSETTLED, reasons=()):
     """The verdict on constraints and solids as given, of a design whose forces hold; and the warnings."""
-    figures = Figures(1, 0, {}, (), (), tuple(broken), unsettled)
+    figures = with_doubt(Figures({}, tuple(broken)), unsettled)
     results = {"figures": figures, "verification": verification.Verification(valid=True),
                "check": Check(broken=tuple(reasons))}
     return judge(results), [str(w) for w in figures.warnings()]
@@ -171,21 +172,28 @@ def bound(what="p_min", tile=4, start=0.6, end=0.35):
 def test_bounds_that_gave_way_are_told_and_a_printer_that_cannot_make_them_is_a_reason():
     """Warnings, one a kind, with the figures of the one relaxed most; report.json has all."""
     given = (bound(), bound(tile=7, end=0.45), bound("p_max", 2, 0.4, 0.7))
-    figures = Figures(1, 0, {}, (), (), (), None, relaxed=given)
-    assert figures.report()["relaxed"] == list(given)
-    said = [entry for entry in map(Finding.entry, figures.warnings()) if entry["kind"] == "relaxed"]
+    said = list(map(Finding.entry, relaxed_warnings(given)))
     assert [entry["tiles"] for entry in said] == [[2], [4, 7]]
     assert "from 0.6 mm to 0.35 mm at the back of T00005" in said[1]["what"] and "2 edges" in said[1]["what"]
     fdm, polyjet = (solids.too_thin(given, solids.read_printer(name)) for name in ("fdm", "polyjet"))
     assert polyjet == () and len(fdm) == 1 and "T00005" in str(fdm[0]) and fdm[0].tiles == (4,)
 
 
-def test_interfaces_that_were_shortened_and_gaps_that_bumps_narrow_are_told():
-    figures = Figures(1, 0, {}, (), (), (), None, shortened=((3, 90),), flat_gap=(0.45, 0.6))
-    told = {found.group: found.entry() for found in figures.warnings()}
-    assert told["shortened"]["tiles"] == [3, 90] and "T00004-T00091" in told["shortened"]["what"]
-    assert "0.45 mm of 0.6 mm" in told["flat_gap"]["what"]
-    assert Figures(1, 0, {}, (), (), (), None, flat_gap=(0.6, 0.6)).warnings() == []
+def test_interfaces_that_were_shortened_and_gaps_that_bumps_narrow_are_told(project_of_cap, monkeypatch):
+    design = project_of_cap().run(("design",))["design"]
+    figures = native.evaluate_design(design.design)
+    values = {name: getattr(figures, name) for name in dir(figures) if not name.startswith("_")}
+
+    def told(**changes):
+        monkeypatch.setattr("curveups.stages.design.native", Replaced(
+            evaluate_design=lambda design: SimpleNamespace(**{**values, **changes})))
+        found = FIGURES.run(Inputs(design.design.parameters, {"design": design}), Job())
+        return {warning.group: warning.entry() for warning in found.warnings()}
+
+    warned = told(shortened=[[3, 90]], flat_clearance_mm=0.45)
+    assert warned["shortened"]["tiles"] == [3, 90] and "T00004-T00091" in warned["shortened"]["what"]
+    assert "0.45 mm of 0.6 mm" in warned["flat_gap"]["what"]
+    assert "flat_gap" not in told(flat_clearance_mm=0.6)
 
 
 def test_what_the_surplus_membrane_asks_of_anchors():
@@ -208,7 +216,7 @@ def test_what_the_surplus_membrane_asks_of_anchors():
 
 
 def test_scaled_targets_are_divided_as_finely_as_their_tiles_ask(monkeypatch, tmp_path):
-    """0.0005 L in the print, whatever the file's unit."""
+    """0.001 L in the print, whatever the file's unit."""
     given = []
     (tmp_path / "a.step").write_text("ISO")
     monkeypatch.setattr(surface, "read_target", lambda path, deflection, *_: given.append(deflection)
@@ -223,7 +231,7 @@ def test_scaled_targets_are_divided_as_finely_as_their_tiles_ask(monkeypatch, tm
 
     for scale in (1.0, 1000.0, 0.1):
         read(str(tmp_path / "a.step"), scale)
-        assert given[-1] * scale == pytest.approx(0.004)
+        assert given[-1] * scale == pytest.approx(0.008)
     faces = [len(read("half-sphere", scale).F) for scale in (1, 20, 1e6, 1e-6)]
     assert faces[0] < faces[1] <= faces[2] and faces[3] < faces[0]
 

@@ -4,9 +4,9 @@
 import numpy as np
 import pytest
 from curveups.base.native import native
-from curveups.window.overlay import colours, prisms
+from curveups.window.overlay import colours, scene as prisms
 from curveups.window.overlay.fields import CONTACT, SIDE, TILE, Field, aligned, deviation_field
-from curveups.window.overlay.scene import Motion, part_of, quaternions
+from curveups.window.overlay.scene import Motion, axes_of, part_of
 
 
 def rotation(axis, angle):
@@ -61,9 +61,8 @@ def test_a_layout_that_moves_as_a_whole_stays_together_on_the_way(tiles):
 @pytest.mark.parametrize("angle", [0, 1e-9, 1.0, np.pi - 1e-7, np.pi])
 def test_shares_of_a_rotation(angle):
     turns = np.stack([rotation(axis, angle) for axis in ([1, 0, 0], [0, 1, 0], [0, 0, 1], [1, -2, 3])])
-    found = part_of(quaternions(turns), 1.0)
-    assert np.abs(found - turns).max() < 1e-7
-    half = part_of(quaternions(turns), 0.5)
+    assert np.abs(part_of(*axes_of(turns), 1.0) - turns).max() < 1e-7
+    half = part_of(*axes_of(turns), 0.5)
     assert np.abs(half @ half - turns).max() < 1e-7
 
 

@@ -177,7 +177,7 @@ def test_a_piece_is_judged_by_its_own_mean_force():
         return pieces_stage.STAGE.run(Inputs(parameters, results), Job())
 
     made = judged()
-    assert made.reasons() == () and [one.valid for one in made.pieces] == [True, False]
+    assert made.reasons() == () and [piece["valid"] for piece in made.block] == [True, False]
     made = judged(pieces="2")
     assert len(made.reasons()) == 1 and "piece 1 by itself" in str(made.reasons()[0])
     assert "T00001-T00002" in str(made.reasons()[0]) and made.reasons()[0].tiles == (0, 1)

@@ -10,7 +10,7 @@ from curveups.base.findings import Finding
 from curveups.base.native import native
 from curveups.project.project import Project
 from curveups.project.saved_results import from_text, to_text
-from curveups.stages import asked_by, settle
+from curveups.stages import stages_of, settle
 from curveups.stages.cut_request import CutRequest
 from curveups.stages.settle import Settled
 from curveups.stages.stage import Job
@@ -33,7 +33,7 @@ def project_of(path, **values):
 
 
 def settled(path, **values):
-    return project_of(path, **values).run(asked_by("verify"))
+    return project_of(path, **values).run(stages_of("verify"))
 
 
 def test_a_design_says_whether_it_holds(printed):
@@ -155,16 +155,16 @@ def test_a_stop_while_tiles_settle_keeps_the_verdict(cap_design):
         said.append(what)
         return what != "settle"
 
-    results = project.run(asked_by("verify"), Job(progress))
+    results = project.run(stages_of("verify"), Job(progress))
     assert "settle" in said and results.stopped
     assert results.verdict.valid is True and results.verdict.holds is None
     # Nothing of it stays: asked again, the tiles settle.
-    assert project.run(asked_by("verify")).verdict.holds is True
+    assert project.run(stages_of("verify")).verdict.holds is True
 
 
 def test_what_was_stopped_leaves_a_required_margin_open(cap_design):
     job = Job(lambda what, _: what != "settle")
-    results = project_of(cap_design, margin="require").run(asked_by("verify"), job)
+    results = project_of(cap_design, margin="require").run(stages_of("verify"), job)
     assert results.verdict.valid is None and "stopped" in str(results.verdict.reasons[0])
 
 
@@ -184,7 +184,7 @@ def test_tiles_that_can_not_settle_cost_no_verdict(cap_design, monkeypatch):
 
 def test_an_edit_asks_again_and_a_saved_result_does_not(cap_design):
     project = project_of(cap_design)
-    made = project.run(asked_by("verify"))
+    made = project.run(stages_of("verify"))
     assert made["settle"].holds is True and project.out_of_date("settle") == ()
     text = to_text(project.made())
     known = from_text(text)["settle"].result
@@ -211,4 +211,4 @@ def test_the_sentences_of_what_fails_name_it():
 def test_a_target_that_is_solved_settles_too(cap):
     source = find_source(str(cap), remesh=False, will_be_cut=False)
     project = Project("cap", native.Parameters(), {"source": source, "cut request": CutRequest()}, str(cap))
-    assert project.run(asked_by("solve", "settle")).verdict.holds is True
+    assert project.run(stages_of("solve", "settle")).verdict.holds is True

@@ -29,7 +29,7 @@ def test_the_largest_length_within_the_deviation_is_solved():
     of = project(*dome(), maximum_deviation=0.3)
     choice = choose(of, "L")
     L = choice.values["L"]
-    assert choice.valid and choice.tried[-1].values == choice.values
+    assert choice.valid and str(choice.tried[-1]) == f"tried L = {L:g} mm: valid"
     # What was made to try it is what a design with it is.
     assert choice.project.out_of_date("verification") == () and choice.project.parameters.get("L") == L
     made = choice.project.run(("target", "verification"))
@@ -54,15 +54,23 @@ def test_a_deviation_out_of_reach_is_refused_with_what_was_tried():
         choose(project(V, F, maximum_deviation=1e-3), "L")
 
 
+def test_the_least_length_is_tried_once():
+    V, F = dome(26 * 2 ** 0.5, 40)
+    with pytest.raises(CurveUpsError, match="no size was found that works: ") as told:
+        choose(project(V, F, maximum_deviation=0.09), "L")
+    *tried, pins = told.value.what.split("; ")
+    assert len(set(tried)) == len(tried) > 1 and pins.startswith("pins of A_pin_floor have no room")
+
+
 def test_thinner_tiles_are_solved_until_a_design_is_valid():
     """Margins let thick tiles pass, and membranes cut into them."""
     V, F = tent(5, 9, 24)
     choice = choose(project(V, F[:, ::-1], L=10.0), "H_body")
     *refused, last = choice.tried
-    assert choice.valid and not last.why and last.values == choice.values
-    assert refused and {one.why[0].kind for one in refused} == {"membrane.cuts"}
-    tried = [one.values["H_body"] for one in choice.tried]
-    assert tried == sorted(tried, reverse=True)
+    assert choice.valid and last.kind == "tried.valid"
+    assert refused and {finding.figures["why"][0].kind for finding in refused} == {"membrane.cuts"}
+    tried = [finding.figures["sizes"][0].figures["value"] for finding in choice.tried]
+    assert tried == sorted(tried, reverse=True) and tried[-1] == choice.values["H_body"]
     said = [str(one) for one in choice.findings()]
     assert said[0].startswith(f"tried H_body = {tried[0]:g} mm: not valid, the back membrane would cut")
     assert said[-1] == f"tried H_body = {tried[-1]:g} mm: valid"
@@ -72,6 +80,11 @@ def test_sizes_that_margins_refuse_are_not_solved():
     V, F = tent(7, 9, 24)
     with pytest.raises(CurveUpsError, match="tried H_body = 4.3 mm: not valid, 2 of 64 tiles can't be made"):
         choose(project(V, F[:, ::-1], L=10.0), "H_body")
+
+
+def test_what_no_thickness_mends_is_said():
+    with pytest.raises(CurveUpsError, match="pins of A_pin_floor have no room at L 2.4 mm, H_body 1 mm"):
+        choose(project(*sheet(lambda x, y: 0.0, 10, 4), L=2.4), "H_body")
 
 
 def test_the_command_line_says_where_no_size_gives_a_valid_design(curveups, cap, tmp_path):

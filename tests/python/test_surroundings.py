@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Folders that the program starts from, and modules that it loads."""
 
+import json
 import os
 import subprocess
 import sys
@@ -31,7 +32,20 @@ def test_commands_load_what_draws_when_they_draw():
                           env=environment(), capture_output=True, text=True)
     loaded = set(done.stdout.split())
     assert "curveups.cli.commands" in loaded, done.stderr
-    assert not loaded & {"matplotlib", "ezdxf", "scipy", "FreeCAD"}
+    assert not loaded & {"matplotlib", "ezdxf", "jinja2", "scipy", "FreeCAD"}
+
+
+@pytest.mark.parametrize("package", ["matplotlib", "jinja2"])
+def test_a_missing_package_is_named_after_the_files_that_do_without(tmp_path, package):
+    done = subprocess.run([sys.executable, "-c", f"import sys\nsys.modules[{package!r}] = None\n"
+                                                 "from curveups.cli import main\nsys.exit(main())",
+                           "design", "saddle", "--set", "L=14", "--set", "run_settling=off", "--quiet", "-o",
+                           str(tmp_path)], env=environment(), capture_output=True, text=True)
+    assert done.returncode == 4 and (
+        f"report.html could not be written: this needs the Python package {package}" in done.stderr)
+    report = json.loads((tmp_path / "report.json").read_text("utf-8"))
+    assert set(report["print"]["files"]) == {path.name for path in tmp_path.iterdir()} - {"report.json"}
+    assert (tmp_path / "saddle-tiles.step").exists() and not (tmp_path / "report.html").exists()
 
 
 def test_as_many_threads_as_there_are_processors_at_most():

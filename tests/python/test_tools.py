@@ -88,13 +88,13 @@ def test_the_stage_of_the_contributors_page(designed, monkeypatch):
     monkeypatch.setitem(BY_NAME, module.STAGE.name, module.STAGE)
 
     of = project.Project.of_design(native.read_design(json.dumps(designed.json("design.json"))))
-    grams = of.run(("weight",))["weight"].grams
+    grams = of.run(("weight",))["weight"].block["tiles_g"]
     assert grams == pytest.approx(of.run(("bodies",))["bodies"].model.volumes["tiles"] / 1000 * 1.18)
     values = of.parameters
     values.set("density", 2 * 1.18)
     of.parameters = values
     assert of.out_of_date("weight") == ("density",)
-    assert of.run(("weight",))["weight"].grams == pytest.approx(2 * grams)
+    assert of.run(("weight",))["weight"].block["tiles_g"] == pytest.approx(2 * grams)
 
 
 @pytest.mark.parametrize("word", ["test_nowhere.py::test_commands", "nowhere/test_nowhere.py::test_commands",

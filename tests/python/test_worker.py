@@ -162,7 +162,7 @@ def test_work_after_a_cancelled_one_waits_for_its_thread(worker, ended):
     worker.cancel()
     worker.poll()
     worker.start_work(work, ended.append)
-    assert worker._current._before is not None and len(at_once) <= 2, "it is to wait for the first"
+    assert len(at_once) <= 2, "it is to wait for the first"
     release.set()
     finish(worker)
     assert ended[1].value == "done" and max(at_once) == 1
@@ -242,18 +242,3 @@ def test_garbage_ends_in_the_thread_that_polls(worker, ended, cancel):
         worker.poll()
     assert len(ended) == 1 and worker.idle and gc.isenabled()
     assert threads == {threading.current_thread()}
-
-
-def test_garbage_waits_for_the_last_of_several_workers(worker, ended):
-    other, going_on = Worker(), threading.Event()
-    worker.start_work(lambda job: going_on.wait(60), ended.append)
-    other.start_work(lambda job: None, ended.append)
-    assert other.wait(60)
-    while not other.idle:
-        other.poll()
-    assert ended[0].error is None and not gc.isenabled()
-    going_on.set()
-    assert worker.wait(60)
-    while not worker.idle:
-        worker.poll()
-    assert gc.isenabled()

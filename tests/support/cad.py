@@ -128,6 +128,45 @@ def gaping():
     return part.Compound([part.makePlane(40, 30), part.makePlane(40, 30, vector(40.004, 0, 0))])
 
 
+def apart(gap=0.2):
+    """Two sheets side by side with a gap between them."""
+    vector, part = _part()
+    return part.Compound([part.makePlane(40, 30), part.makePlane(40, 30, vector(40 + gap, 0, 0))])
+
+
+def tube():
+    """Lofted, of one face that is closed."""
+    vector, part = _part()
+    return part.makeLoft([part.Wire(part.Circle(vector(0, 0, z), vector(0, 0, 1), radius).toShape())
+                          for z, radius in ((0, 30), (30, 24), (60, 32))])
+
+
+def vase_of_halves():
+    vector, part = _part()
+    profile = part.BSplineCurve()
+    profile.interpolate([vector(20, 0, 0), vector(32, 0, 20), vector(24, 0, 45), vector(30, 0, 60)])
+    wire = part.Wire(profile.toShape())
+    halves = [wire.revolve(vector(0, 0, 0), vector(0, 0, 1), 180) for _ in range(2)]
+    halves[1].rotate(vector(0, 0, 0), vector(0, 0, 1), 180)
+    return part.Compound(halves)
+
+
+def torus_of_halves():
+    vector, part = _part()
+    ring = part.Wire(part.Circle(vector(40, 0, 0), vector(0, 1, 0), 15).toShape())
+    halves = [ring.revolve(vector(0, 0, 0), vector(0, 0, 1), 180) for _ in range(2)]
+    halves[1].rotate(vector(0, 0, 0), vector(0, 0, 1), 180)
+    return part.Compound(halves)
+
+
+def lemon():
+    """Cap of a surface that an arc of a circle off the axis makes: it has a pole."""
+    vector, part = _part()
+    points = [vector(45 * math.cos(angle) - 15, 0, 45 * math.sin(angle))
+              for angle in (math.acos(1 / 3), math.radians(35), 0.0)]
+    return part.Wire(part.Arc(*points).toShape()).revolve(vector(0, 0, 0), vector(0, 0, 1), 360)
+
+
 def folded():
     """A sheet of three planes, 50 mm along y; folds of 8 and 35 degrees."""
     vector, part = _part()
@@ -154,7 +193,7 @@ def dished():
 
 PARTS = {function.__name__: function for function in (
     bowl, rounded_bowl, lid, lid_sharp_inside, pipe, tee, loft, plate, block, ball, hollow, two_bodies,
-    gaping, folded, sharp_lid, dished)}
+    gaping, apart, tube, vase_of_halves, torus_of_halves, lemon, folded, sharp_lid, dished)}
 
 if __name__ == "__main__":
     sys.exit(write(sys.argv[1], sys.argv[2:]))

@@ -27,6 +27,6 @@ def tent(height=8.0, width=12.0, parts=48):
 def project(V, F, cuts=CutRequest(), remesh=True, will_be_cut=True, **values):
     """A surface with these parameters."""
     source = Source("made", stamp="made", remesh=remesh, will_be_cut=will_be_cut,
-                    read=lambda deflection, choice: Read(V, F))
+                    read=lambda *_: Read(V, F))
     return Project("made", with_values(native.Parameters(), values),
                    {"source": source, "cut request": cuts}, "made")

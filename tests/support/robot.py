@@ -194,7 +194,7 @@ def keys(*names):
 
 
 def write(text):
-    display("type", "--delay", 15, text)
+    display("type", "--delay", 15, "--", text)
 
 
 def fill(box, text):
@@ -361,9 +361,9 @@ def clear_report():
 
 
 def at_rest(seconds=120):
-    """Wait until no run of the window is at work."""
-    worker = sys.modules.get("curveups.project.worker")
-    until(lambda: worker is None or not worker.WORKER.busy, seconds, "the run to end")
+    """Wait until no run of the window is at work, nor settled forces that follow it."""
+    run = sys.modules.get("curveups.window.run")
+    until(lambda: run is None or not (run.WORKER.busy or run.LIVE.waiting), seconds, "the run to end")
     settle(200)
 
 

@@ -62,7 +62,8 @@ def test_a_check_says_what_is_in_the_way_and_sizes_that_do(pictures):
     until(lambda: [tile + 1 for tile in overlay.selected] == [int(item.text(0)[1:])], 5, "its tile")
     rows = {form.margins.topLevelItem(row).text(0): form.margins.topLevelItem(row)
             for row in range(form.margins.topLevelItemCount())}
-    row = next(row for name, row in rows.items() if name.startswith("clearance of the front"))
+    row = rows["Front membrane"]
+    assert row.text(2) == "≈ 0.3" and rows["Back pin"].text(1).endswith(" ✗"), rows["Back pin"].text(1)
     click_item(form.margins, row)
     until(lambda: overlay.field().name == "Membrane clearance", 5, "its field")
 
@@ -187,6 +188,7 @@ def test_a_part_with_a_wall_is_taken_as_it_is_drawn(pictures):
     bowl.Shape = outer.cut(inner).common(below).removeSplitter()
     FreeCADGui.Selection.addSelection(bowl)
     press("CurveUps_NewDesign")
+    assert panel().form.target.text() == "Target: Bowl" and panel().form.check.isEnabled()
     bowl.ViewObject.Visibility = False
     design = document.Design
     design.L = 14
@@ -216,6 +218,7 @@ def test_a_part_with_a_wall_is_taken_as_it_is_drawn(pictures):
     press("CurveUps_NewDesign")
     second = [obj for obj in document.Objects if obj.Name.startswith("Design")][-1]
     assert second.Faces == name, second.Faces
+    assert panel().form.target.text() == f"Target: Bowl {name}"
     second.L = 14
     document.recompute()
     check()
@@ -249,7 +252,7 @@ def test_a_part_that_is_feasible_as_it_is(pictures):
     assert "L can be " in form.advice.text() and "(at HBody 3" in form.advice.text(), form.advice.text()
     assert not any(button.isVisible() for button in (form.use_length, form.use_thickness))
     margins = map(form.margins.topLevelItem, range(form.margins.topLevelItemCount()))
-    needed = [row.child(0).text(1) for row in margins]
+    needed = [row.text(2) for row in margins]
     assert not any(text.startswith("-") for text in needed), needed
     assert "arning" not in report(), report()
     assert not cap.Visibility

@@ -264,14 +264,14 @@ def test_errors_are_one_line_with_tiles_to_click(pictures):
                "Solve")
     settle(700)
     notice = widget("CurveUpsNotice")
-    assert 'href="T00012"' in notice.findChild(QtGui.QLabel, "text").text()
+    assert 'href="T00012"' in notice.text()
     picture("notice")
-    notice.findChild(QtGui.QLabel, "text").linkActivated.emit("T00012")
+    notice.findChild(QtGui.QLabel, "qt_msgbox_label").linkActivated.emit("T00012")
     selected = FreeCADGui.Selection.getSelectionEx()
     assert [selection.SubElementNames for selection in selected] == [("T00012",)], selected
     lines = [line for line in report().splitlines() if "back faces" in line]
     assert len(lines) == 1 and "make HBody less" in lines[0]
-    click(notice.findChild(QtGui.QToolButton))
+    click(notice.findChild(QtGui.QPushButton))
     settle(200)
     shown = [w.objectName() for w in QtGui.QApplication.allWidgets() if w.isVisible()]
     assert "CurveUpsNotice" not in shown

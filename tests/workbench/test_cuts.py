@@ -6,11 +6,12 @@ import FreeCADGui
 import numpy as np
 import Part
 import pytest
-from curveups.features import document as designs
+from curveups.features import actions, document as designs
+from curveups.window.cuts import aligned
 from curveups.window.overlays import overlay_of
-from robot import (click, close_panel, display, keys, on_screen, picture, press, QtGui,
+from robot import (action, click, close_panel, display, keys, on_screen, picture, press, QtGui,
                    report, settle, until, widget, window)
-from steps import begin, click_edge, edge_at, LIVE, move_to
+from steps import begin, click_edge, edge_at, example, LIVE, move_to, panel
 
 pytestmark = pytest.mark.freecad(window=True)
 
@@ -79,6 +80,24 @@ def test_a_chain_of_clicks_cuts_along_edges_and_each_click_is_undone_singly(pict
     close_panel()
     settle(500)
     assert "Traceback" not in report(), report()
+
+
+def test_a_layout_lies_as_the_one_before(pictures):
+    """Tiles lie in the plane as least squares turn them to those before."""
+    document, design = cutting()
+
+    def cut(x, y):
+        click_edge(design, x, y)
+        quiet()
+        return overlay_of(design).scene.flat[:, :3, :2]
+
+    first, second = cut(0, 0), cut(0, 22)
+    assert np.abs(aligned(second, first) - second).max() < 1e-6
+    angle = np.radians(130)
+    turn = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
+    assert np.abs(aligned(first @ turn + (7, -3), first) - first).max() < 1e-9
+    FreeCAD.closeDocument(document.Name)  # with its panel open
+    until(lambda: panel() is None, 5, "the panel to go")
 
 
 def test_the_surface_that_covers_its_target_is_hidden_while_edges_are_picked(pictures):
@@ -225,3 +244,45 @@ def test_cuts_are_picked_in_the_flat_view_as_in_the_actuated_one(pictures):
     close_panel()
     settle(300)
     assert "Traceback" not in report(), report()
+
+
+def test_edges_of_a_target_that_is_out_of_date_can_be_cut(pictures):
+    document, design = example("half-sphere", L=16)
+    actions.solve(design)
+    document.recompute()
+    overlay = overlay_of(design)
+    solved = len(design.Target.Mesh.Facets)
+
+    # Undo leads back to the layout of the design.
+    press("CurveUps_Cuts")
+    until(lambda: overlay.scene is not None and not LIVE.busy, 60, "the layout")
+    view = FreeCADGui.ActiveDocument.ActiveView
+    view.viewTop()
+    view.fitAll()
+    click_edge(design, 0, 0)
+    quiet()
+    assert overlay.legend.content.notes == ("layout with these cuts",), overlay.legend.content
+    document.undo()
+    until(lambda: overlay.legend.content.notes != ("layout with these cuts",), 10, "the design")
+    until(lambda: panel().form.doing.isHidden(), 10, "the panel to say nothing")
+
+    design.L = 20
+    document.recompute()
+    close_panel()
+    press("CurveUps_Cuts")
+    assert LIVE.busy and "being divided" in panel().form.line.text(), panel().form.line.text()
+    close_panel()
+    assert not LIVE.busy and "cancelled" not in window.statusBar().currentMessage()
+    press("CurveUps_Cuts")
+    quiet()
+    assert panel().form.line.text() == "" and 0 < len(overlay.scene.F) < solved
+    view.viewTop()
+    view.fitAll()
+    settle(300)
+    edge = click_edge(design, 0, 0)
+    assert edges(design) == {edge}, panel().form.line.text()
+    quiet()
+    picture("of-a-target-out-of-date")
+    assert overlay.scene.flat is not None and action("CurveUps_ShowFlat").isEnabled()
+    close_panel()
+    until(lambda: len(overlay.scene.F) == solved, 10, "the layout as it was")

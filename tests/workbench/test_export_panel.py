@@ -5,6 +5,7 @@ import json
 import os
 import threading
 import time
+from types import SimpleNamespace
 
 import FreeCAD
 import FreeCADGui
@@ -27,11 +28,13 @@ def test_what_comes_after_an_export_is_a_click_away(dome_document, tmp_path, pic
     press("CurveUps_Export")
     form = panel().form
     form.folder.setText(str(folder))
+    announced = form.chosen.text().split(", ")
     pages = []
     monkeypatch.setattr(qt.QtGui.QDesktopServices, "openUrl", lambda url: pages.append(url.toLocalFile()))
     click(form.write)
     until(lambda: not LIVE.busy and "open the report" in form.line.text(), 120, "the files")
     assert json.loads((folder / "report.json").read_text("utf-8"))["name"] == design.Label
+    assert sorted(announced) == sorted(os.listdir(folder)), announced
     picture("written")
     form.line.setFocus()
     for _ in range(3):
@@ -44,17 +47,17 @@ def test_what_comes_after_an_export_is_a_click_away(dome_document, tmp_path, pic
 
 def lingering(late):
     """A writer of files that goes on after its STL file until it is stopped. late: set by then."""
-    writer = exports._writer
+    write_bodies = exports.write_bodies
 
-    def slow(model, kind, ending, job):
-        def write(path):
-            writer(model, kind, ending, job)(path)
+    def slow(folder, name, model, kind, job):
+        def write(ending, kind, path, job):
+            model.write(ending, kind, path, job)
             if ending == "stl":
                 late.set()
                 while not job.stopped:
                     time.sleep(0.01)
 
-        return write
+        write_bodies(folder, name, SimpleNamespace(write=write), kind, job)
 
     return slow
 
@@ -71,7 +74,7 @@ def test_an_export_that_is_cut_off_leaves_no_report(dome_document, tmp_path, pic
     until(lambda: not LIVE.busy and "open the report" in form.line.text(), 120, "the files")
 
     late = threading.Event()
-    monkeypatch.setattr(exports, "_writer", lingering(late))
+    monkeypatch.setattr(exports, "write_bodies", lingering(late))
     fill(form.deviation, "0.02 mm")
     click(form.write)
     until(late.is_set, 120, "a file in the middle")
@@ -91,7 +94,7 @@ def quit_in_mid_export(path, folder, left):
     document, _ = opened(path)
     document.Comment = "changed"
     late = threading.Event()
-    exports._writer = lingering(late)
+    exports.write_bodies = lingering(late)
     press("CurveUps_Export")
     fill(widget("folder"), folder)
     click(widget("write"))

@@ -5,7 +5,8 @@ import FreeCAD
 import pytest
 from curveups.base.native import problem
 from curveups.base.parameters import table
-from curveups.features import document as documents, live, properties
+from curveups.features import document as documents, properties
+from curveups.features.status import status_of
 from curveups.stages import BY_NAME
 
 pytestmark = pytest.mark.freecad
@@ -40,7 +41,7 @@ def by_states(path):
 
 
 def stale_parts(design):
-    states = design.Proxy.state(design).parts
+    states = status_of(design).parts
     return {part for part in PARTS if states[part][0] == "out of date"}
 
 
@@ -58,9 +59,10 @@ def by_project(path):
     for row in table():
         if row.level == "switch":
             continue
-        parameters = live.settings_of(design)
+        parameters = documents.settings_of(design)
         parameters.set(row.name, another(row, parameters.get(row.name)))
-        from_target, standing = live.project_of(design).copy(), live.design_project_of(design).copy()
+        from_target = documents.project_of(design).copy()
+        standing = documents.design_project_of(design).copy()
         for project in (from_target, standing):
             try:
                 project.parameters = parameters

@@ -202,7 +202,7 @@ def test_picking_gives_tiles_and_edges(dome_document, pictures):
         click_on(view, pixel)
         assert selected() == [("Design", f"T{tile + 1:05d}")], (tile, selected())
         assert overlay.selected == [tile]
-        assert "Normal force" in FreeCADGui.getMainWindow().statusBar().currentMessage()
+        until(lambda: "Normal force" in QtGui.QToolTip.text(), 5, "its values at the pointer")
         point = picked(view, pixel, design)
         assert (point.tile, point.edge) == (tile, edge), (tile, edge, point)
         assert point.vertices == (scene.F[tile, edge], scene.F[tile, (edge + 1) % 3])

@@ -3,17 +3,20 @@
 
 import FreeCAD
 import FreeCADGui
+import numpy as np
 import pytest
 import robot
 from curveups.base.findings import Finding
-from curveups.features import document as designs
-from curveups.features.live import stored
+from curveups.base.parameters import with_values
+from curveups.features import document as designs, properties
+from curveups.features.design import stored
 from curveups.window.notice import shown
 from curveups.window.overlay import legend
+from curveups.window.overlay.fields import design_fields
 from curveups.window.overlays import overlay_of
 from curveups.window.panel import show
 from curveups.window.solve import SolvePanel
-from robot import click, click_item, cut_off, picture, QtGui, settle, tidy, until, widget
+from robot import click, click_item, cut_off, display, picture, QtGui, settle, tidy, until, widget
 from steps import enter, in_units, LIVE, opened, quit_freecad
 
 pytestmark = pytest.mark.freecad(window=True)
@@ -69,11 +72,11 @@ def test_another_unit_schema_is_seen_at_once(dome_document, pictures):
     assert field.text().startswith("0.118 ") and "mm" not in field.text(), field.text()
     assert "mm" not in overlay_of(design).legend.content.title_line
     assert not document.UndoNames and design.HBody.Value == 3  # to look is no edit
+    gap = Finding.about("gap", (), violation=0.254, pairs=((11, 43),))
+    assert shown(gap, False) == "flat tiles are 0.0100 in nearer than DGapMin (T00012-T00044)"
     enter(panel.form, "HBody", "0.1 in")
     until(lambda: abs(design.HBody.Value - 2.54) < 1e-6, 5, "inches to arrive")
     document.undo()
-    gap = Finding.about("gap", (), violation=0.254, pairs=((11, 43),))
-    assert shown(gap, False) == "flat tiles are 0.0100 in nearer than DGapMin (T00012-T00044)"
     show_units(0)
     assert shown(gap, False) == "flat tiles are 0.254 mm nearer than DGapMin (T00012-T00044)"
     assert field.text() == "3.00 mm", field.text()
@@ -88,6 +91,16 @@ def test_another_unit_schema_is_seen_at_once(dome_document, pictures):
     assert not any("mm" in text for text in texts(rows)), texts(rows)
     show_units(0)
     assert texts(rows) == before
+
+
+def test_pins_that_are_large_enough_to_be_valid_are_no_problem(dome_document):
+    document, design = opened(dome_document)
+    layout = stored(design).latest("design").design
+    for name, marked in (("A_pin_min", 0), ("A_pin_floor", len(layout.F))):
+        values = with_values(layout.parameters, {"A_pin_min": 999.0, name: 999.0})
+        field = next(field for field in design_fields(layout.with_parameters(values), np.empty((0, 2)))
+                     if field.name == "Pin area")
+        assert len(field.problems) == marked, name
 
 
 def quit_in_mid_run(pictures, left):
@@ -178,3 +191,53 @@ def test_the_process_window_is_shown_until_the_design_changes(german, dome_docum
         until(lambda: not rows.isVisible(), 10, f"a window that {name} makes out of date to go")
         document.undo()
         until(lambda: rows.isVisible(), 10, "the window of the design as it was")
+
+
+def test_the_wheel_scrolls_the_panel_and_edits_nothing(dome_document, pictures):
+    def values():
+        rows = [name for name in design.PropertiesList if properties.parameter_of(name)]
+        return [properties.value_of(design, name) for name in rows], panel.form.group.currentIndex()
+
+    document, design = opened(dome_document)
+    panel = show(SolvePanel, design)
+    panel.turn_to("Target")
+    robot.window.resize(1440, 620)  # less than the panel needs
+    settle(300)
+    before, area = values(), scroll_area(panel.form)
+    boxes = [box for kind in (QtGui.QAbstractSpinBox, QtGui.QComboBox)
+             for box in panel.form.findChildren(kind) if box.isVisible()]
+    assert len(boxes) > 3 and area.verticalScrollBar().maximum() > 0
+    for box in boxes:
+        robot.scroll_to(box, box.rect().center())
+        place, at = box.mapToGlobal(box.rect().center()), area.verticalScrollBar().value()
+        display("mousemove", place.x(), place.y())
+        display("click", 4 if at else 5)  # the wheel, up or down
+        assert area.verticalScrollBar().value() != at, box.objectName()
+    settle(600)  # a pause in which edits are written
+    assert values() == before and not document.UndoNames
+    assert "valid" in panel.form.verdict.text()
+
+    # A box that was clicked takes the wheel.
+    field = panel.form.findChild(QtGui.QAbstractSpinBox, "L")
+    click(field)
+    display("click", 4)
+    until(lambda: values() != before, 5, "the edit")
+
+
+def scroll_area(widget):
+    while not isinstance(widget, QtGui.QScrollArea):
+        widget = widget.parentWidget()
+    return widget
+
+
+def test_a_box_takes_what_its_parameter_takes(dome_document, pictures):
+    document, design = opened(dome_document)
+    panel = show(SolvePanel, design)
+    panel.turn_to("Target")
+    for text in ("-6", "1e9"):
+        enter(panel.form, "Scale", text)
+        settle(600)
+        assert 1e-6 <= design.Scale <= 1e6, (text, design.Scale)
+        assert "invalid" not in panel.form.verdict.text(), panel.form.verdict.text()
+    enter(panel.form, "Scale", "2")
+    until(lambda: design.Scale == 2, 5, "a number in range")

@@ -10,6 +10,7 @@ import Part
 import pytest
 from curveups.base.errors import CurveUpsError
 from curveups.features import actions, document as documents
+from curveups.features.status import status_of
 from curveups.stages.stage import Job
 
 pytestmark = pytest.mark.freecad
@@ -85,7 +86,7 @@ def test_an_edit_of_each_tier(dome_document, tmp_path, name, value, command, par
     check_judged(design)
     before = getattr(design, name)
     setattr(design, name, value)
-    states = design.Proxy.state(design).parts
+    states = status_of(design).parts
     assert {part for part, (state, _) in states.items() if state == "out of date"} == set(parts), states
     document.recompute()
     check_stale(design, name, command)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""In a window: the toolbar's six steps and the menus, panels that follow one another and fit FreeCAD's dock,
+"""In a window: the toolbar's steps and the menus, panels that follow one another and fit FreeCAD's dock,
 and the guide, in a fresh profile."""
 
 from pathlib import Path
@@ -20,7 +20,7 @@ from steps import panel
 pytestmark = pytest.mark.freecad(window=True)
 
 Qt_6 = int(QtCore.qVersion().split(".")[0]) > 5  # does not scale by the resolution of the 4K display
-STEPS = ("NewDesign", "Check", "Solve", "Cuts", "Overlay", "Export")
+STEPS = ("NewDesign", "Check", "Solve", "Verify", "Cuts", "Overlay", "Export")
 PANELS = (("Check", "CheckPanel"), ("Cuts", "CutsPanel"), ("Overlay", "OverlayPanel"),
           ("WorstContacts", "WorstContactsPanel"), ("Actuate", "ActuatePanel"), ("Export", "ExportPanel"),
           ("Kit", "KitPanel"))
@@ -55,7 +55,7 @@ def entries(menu):
             yield entry.objectName() or entry.text()
 
 
-def test_the_toolbar_has_the_six_steps_and_the_menu_has_everything(pictures):
+def test_the_toolbar_has_the_steps_and_the_menu_has_everything(pictures):
     begin()
     bar = next(bar for bar in window.findChildren(QtGui.QToolBar) if bar.windowTitle() == "CurveUps")
     actions = [entry for entry in bar.actions() if not entry.isSeparator()]
@@ -134,16 +134,16 @@ def test_whatever_is_grey_says_why(dome_document, pictures):
             shown(kind)
             picture(f"{design.Name}-{kind}")
             assert not grey_without_reason(panel().form), kind
-    # What a click would say, the mouse says: over the grey button Stop.
-    stop = panel().form.stop
-    assert not stop.isEnabled()
-    middle = stop.mapToGlobal(stop.rect().center())
+    # What a click would say, the mouse says: over the grey button Verify.
+    verify = panel().form.verify
+    assert not verify.isEnabled()
+    middle = verify.mapToGlobal(verify.rect().center())
     display("mousemove", middle.x() - 3, middle.y())
     display("mousemove", middle.x(), middle.y())
     tip = until(lambda: next((top for top in QtGui.QApplication.topLevelWidgets()
                               if top.metaObject().className() == "QTipLabel" and top.isVisible()), None),
                 10, "the tooltip")
-    assert "Nothing is at work" in tip.text()
+    assert "There is no layout yet" in tip.text()
     picture("grey")
 
 
@@ -196,7 +196,7 @@ def test_every_panel_fits_the_dock_that_a_fresh_profile_has(language, theme, scr
 def test_the_guide_opens_from_the_menu(dome_document, pictures):
     opened(dome_document)
     choose(lambda: menu_bar("CurveUps"), "Help", "Guide")
-    page = widget("page")
+    page = widget("CurveUpsGuide")
     assert page.toPlainText().startswith("User guide")
     page.window().close()
 

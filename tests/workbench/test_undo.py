@@ -6,7 +6,7 @@ import FreeCADGui
 import pytest
 from curveups.features import document as documents
 from curveups.project.worker import WORKER
-from curveups.window import run, runs
+from curveups.window import run
 from robot import QtCore, QtGui, click_at, keys, picture, settle, tidy, tree_entry, until, window
 
 pytestmark = pytest.mark.freecad(window=True)
@@ -71,7 +71,7 @@ def test_solids_follow_transactions(dome_document, monkeypatch):
     # A run ends one too, which follows after it.
     edit(document, "HBody", "2.6 mm")
     until(lambda: WORKER.busy, what="the next one to begin")
-    runs.start("verify", design)
+    run.start("verify", design)
     until(lambda: not run.LIVE.busy and design.Verdict == "valid", 60, "the run to end")
     until(lambda: tiles.Status == "current")
     assert built[-1][0] == 2.6, built

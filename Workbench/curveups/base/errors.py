@@ -25,6 +25,20 @@ class CurveUpsError(Exception):
         return " ".join(line.split())
 
 
+# Python packages of reports, pictures and the kit's drawings, which some of FreeCAD's builds lack.
+PACKAGES = {"ezdxf", "jinja2", "markupsafe", "matplotlib", "PIL", "scipy"}
+
+
+def without_package(error: Exception) -> Exception:
+    """Return the user's error where a package is missing; else the error."""
+    name = (error.name or "").split(".")[0] if isinstance(error, ModuleNotFoundError) else ""
+    if name not in PACKAGES:
+        return error
+    return CurveUpsError(f"this needs the Python package {name}, which this FreeCAD lacks", "",
+                         "install it with pip into FreeCAD's Python; designs, solids, STEP, STL and 3MF do "
+                         "without")
+
+
 class Stopped(Exception):
     """The user stopped the work where no partial result exists."""
 

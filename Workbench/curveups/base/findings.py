@@ -136,13 +136,9 @@ def all_of(findings: Iterable[Any]) -> tuple[Finding, ...]:
     return tuple(map(Finding.of, findings))
 
 
-def unique(findings: Iterable[Finding]) -> tuple[Finding, ...]:
+def unique(findings: Sequence[Finding]) -> tuple[Finding, ...]:
     """Each finding once: several results may give the same."""
-    kept: list[Finding] = []
-    for finding in findings:
-        if finding not in kept:
-            kept.append(finding)
-    return tuple(kept)
+    return tuple(finding for k, finding in enumerate(findings) if finding not in findings[:k])
 
 
 def first_of_each_kind(findings: Iterable[Finding]) -> list[tuple[Finding, int]]:

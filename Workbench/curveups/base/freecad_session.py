@@ -61,9 +61,7 @@ def python() -> str:
     if own.stem.startswith("python"):
         return str(own)
     version = f"python{sys.version_info.major}.{sys.version_info.minor}"
-    folder = Path(sys.prefix)
-    for place in (folder / "bin" / version, folder / "bin" / "python3", folder / "bin" / "python",
-                  folder / "bin" / "python.exe", folder / "python.exe"):
+    for place in (Path(sys.prefix, "bin", name) for name in (version, "python3", "python")):
         if place.is_file():
             return str(place)
     raise CurveUpsError("FreeCAD's Python was not found", sys.prefix, "install FreeCAD whole")

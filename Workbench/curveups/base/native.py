@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import importlib
 import importlib.util
+import re
 import sys
 from contextlib import contextmanager
 from pathlib import Path
@@ -23,6 +24,7 @@ def _load() -> ModuleType:
     here = Path(__file__).parents[1]
     name = f"Python {sys.version_info.major}.{sys.version_info.minor}"
     built = sorted(path.name for path in here.glob("_native*") if path.suffix != ".pyi")
+    pythons = [f"{major}.{minor}" for major, minor in re.findall(r"cpython-(\d)(\d+)", " ".join(built))]
     try:
         module = importlib.import_module("curveups._native")
     except ImportError as error:
@@ -31,7 +33,8 @@ def _load() -> ModuleType:
                                 "run tools/setup") from error
         if importlib.util.find_spec("curveups._native") is None:
             raise CurveUpsError(f"the native module is not for {name}", ", ".join(built),
-                                "run tools/setup again") from error
+                                f"use a FreeCAD with Python {' or '.join(pythons)}, or run tools/setup again"
+                                ) from error
         raise CurveUpsError(f"the native module can't be loaded: {error}", built[0],
                             "run tools/setup again") from error
     if module.__version__ != __version__:

@@ -10,7 +10,7 @@ import re
 from pathlib import Path
 from typing import Any, Callable, NoReturn, Optional
 
-from .errors import NOT_WRITTEN, CurveUpsError, Stopped
+from .errors import NOT_WRITTEN, CurveUpsError, Stopped, without_package
 
 LONGEST_NAME = 120  # characters, so that endings fit into the 255 of a file name
 
@@ -30,15 +30,13 @@ def require_folder_name(path: Path) -> None:
     """Raises CurveUpsError, before any work is done, for a path that can't become a folder."""
     for place in (path, *path.parents):
         try:
-            exists, folder = place.exists(), place.is_dir()
+            if place.is_dir():
+                return
+            if place.exists():
+                what = "the output folder is a file" if place == path else "a file is in the way"
+                raise CurveUpsError(what, str(place), "name another folder with -o")
         except OSError as error:  # a folder above may not be entered, or the name is too long
             raise _unusable(path, error) from error
-        if exists:
-            if not folder:
-                raise CurveUpsError(
-                    "the output folder is a file" if place == path else "a file is in the way",
-                    str(place), "name another folder with -o")
-            return
 
 
 def _unusable(path: Path, error: OSError) -> CurveUpsError:
@@ -78,13 +76,6 @@ class Folder:
                                     str(self.path / name), "remove it, or choose another folder",
                                     NOT_WRITTEN) from error
 
-    def holds(self, name: str, text: str) -> bool:
-        """True where a file with exactly this content exists."""
-        try:
-            return (self.path / name).read_bytes() == text.encode("utf-8")
-        except OSError:
-            return False
-
     def write(self, name: str, writer: Callable[[Path], object]) -> None:
         """Call `writer` with a temporary path of the same ending, then rename the file.
 
@@ -114,6 +105,7 @@ class Folder:
 
     def _fail(self, name: str, error: Exception) -> NoReturn:
         remedy = "free space or choose another folder"
+        error = without_package(error)
         if isinstance(error, CurveUpsError):
             reason, remedy = error.what, error.remedy or remedy
         else:

@@ -62,9 +62,10 @@ def table() -> tuple[Parameter, ...]:
     return tuple(Parameter(**row) for row in rows)
 
 
+@lru_cache(maxsize=None)
 def parameter(name: str) -> Parameter:
     """The row of one parameter. Raises KeyError for an unknown name."""
-    return _by_name()[name]
+    return {row.name: row for row in table()}[name]
 
 
 def with_values(parameters: Any, values: Mapping[str, Any]) -> Any:
@@ -73,8 +74,3 @@ def with_values(parameters: Any, values: Mapping[str, Any]) -> Any:
     for name, value in values.items():
         changed.set(name, value)
     return changed
-
-
-@lru_cache(maxsize=None)
-def _by_name() -> dict[str, Parameter]:
-    return {row.name: row for row in table()}

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Reads profiles and materials: named sets of parameters, in files as `--config` takes them. A profile suits
-a kind of printer. A material gives the source and the range of each number."""
+a kind of printer. A material gives the "sources" of its numbers by quantity: `low`, `high`, `source`, `date`
+and `assumed` (no source was read). A quantity without a side stands for both sides' parameters."""
 
 from __future__ import annotations
 
@@ -39,13 +40,6 @@ def material_path(name: str) -> Path:
 def about(path: Path) -> str:
     """Note on a profile or material."""
     return str(_read(path).get("about", ""))
-
-
-def sources(path: Path) -> dict[str, dict[str, Any]]:
-    """Entries of a material by quantity: `low`, `high`, `source`, `date`, and `assumed` where no source was
-    read. A quantity without a side stands for both sides' parameters; one that is no parameter has a
-    `value`."""
-    return dict(_read(path).get("sources", {}))
 
 
 def parameters(path: Path) -> dict[str, Any]:

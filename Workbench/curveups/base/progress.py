@@ -44,9 +44,7 @@ class Reporter:
     WIDTH = 30
 
     def __init__(self, interrupt: Interrupt, quiet: bool):
-        self._interrupt = interrupt
-        self._stream = sys.stderr
-        self._quiet = quiet
+        self._interrupt, self._quiet, self._stream = interrupt, quiet, sys.stderr
         self._terminal = not quiet and self._stream.isatty()
         self._what = ""
         self._said: set[str] = set()

@@ -14,13 +14,15 @@ MORE = " and {count} more"  # after a number of names
 
 # Figures that are translated; others (names of bodies and files, errors of libraries) are not.
 WORDS = ("front", "back", "gap", "pin area", "pin keep-out", "inset at its limit", "open", "invalid",
-         "faces turned over", "no volume", "volume", "front pin", "back pin", "height of the pins",
+         "faces turned over", "not flat",
+         "a face crosses itself", "no volume", "volume", "front pin", "back pin", "height of the pins",
          "body", "bump", "joint hole", "wall beside the joint hole", "notch of the bridge",
          "out of date")
 
 # Names of work in progress; {0} stands for a name or a number.
 PROGRESS = (
     "working", "reading the target", "mending the target", "remeshing",
+    "following the surface",
     "checking the target", "registering the scan", "smoothing the target", "dividing into pieces",
     "dividing into {0} pieces",
     "dividing into 1 piece", "looking for cuts", "making room for pins", "checking tiles", "trying {0}",
@@ -40,6 +42,10 @@ MARGINS = (
     "stretch / least that leaves gaps", "stretch / most before slack",
     "tiles of other parts that a tile runs into")
 ESTIMATE = "* an estimate: the layout may do a little better or worse"  # of a margin
+
+_EXPECTED = "released and shaken, the piece is expected to lie {mean:.2g mm} from the target on average " \
+            "({low:.2g mm} to {high:.2g mm}), {largest:.2g mm} at most; "
+_PRESSED = ". Pressed over the former it comes within {pressed:.2g mm}"
 
 # The sentence, or both.
 _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
@@ -92,14 +98,8 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "settled_restless": "whether the shape holds is not known: the tiles do not come to rest",
     "settle_failed": "whether the shape holds is not known: {error}",
     # From flat to shape.
-    "actuation_expected.closed": "released and shaken, the piece is expected to lie {mean:.2g mm} from the "
-                                 "target on average ({low:.2g mm} to {high:.2g mm}), {largest:.2g mm} at "
-                                 "most; all contacts close. Pressed over the former it comes within "
-                                 "{pressed:.2g mm}",
-    "actuation_expected.open": "released and shaken, the piece is expected to lie {mean:.2g mm} from the "
-                               "target on average ({low:.2g mm} to {high:.2g mm}), {largest:.2g mm} at most; "
-                               "{open} of {count} contacts stay open. Pressed over the former it comes "
-                               "within {pressed:.2g mm}",
+    "actuation_expected.closed": _EXPECTED + "all contacts close" + _PRESSED,
+    "actuation_expected.open": _EXPECTED + "{open} of {count} contacts stay open" + _PRESSED,
     "actuation_relaxed": "without friction, its energy is least {mean:.3g mm} from the target in the mean, "
                          "{largest:.3g mm} at most; {open} of {count} contacts are open there",
     "actuation_by_itself": "released, it comes to rest {mean:.3g mm} from the target in the mean, "
@@ -204,6 +204,17 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "mending.far": ("tiles are up to {distance:.2f mm} from the target, more than mend_max ({most:g mm}): "
                     "they can't follow its corners and edges",
                     "lower L, or give edges that tiles must meet a crease_angle"),
+    "followed": "the tiles follow the target: {kept} kept, {new} new",
+    "followed.cuts": ("{count} edges of cuts are gone with their tiles", "check the cuts"),
+    "tiled_anew": "the target is tiled anew: {why}",
+    "follow.parts": "it has another number of parts or handles",
+    "follow.borders": "it has another number of borders or holes",
+    "follow.corners": "corners of its border have moved too far",
+    "follow.creases": "it has other creases",
+    "follow.edges": "tiles would be too large or too small for L",
+    "follow.far": "its shape has changed too much",
+    "follow.folded": "tiles would turn over",
+    "follow.many": "too many tiles would be new",
     "pieces": ("the target is in {count} pieces, {asked} are asked for",
                "parts that it has already and cuts that are given count as well"),
     "pieces.stretched": ("no division into up to {most} pieces has as little stretch as membranes bear; the "
@@ -217,7 +228,8 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "pin_bounds": "pin insets leave their bounds by {violation:.3g mm}",
     "pins_below_floor": "{count} pin sides are smaller than A_pin_floor ({at:6})",
     "overlap": "{count} pairs of tiles overlap when actuated and no plane parts them ({pairs:6})",
-    "small_pin.side": "the {side} pin of {tile} has {area_mm2:.3g mm2}, less than A_pin_min",
+    "small_pin.side": "the {side} pin of {tile} has {area_mm2:.3g mm2}: valid, but less than A_pin_min asks "
+                      "for",
     "relaxed.p_min": "p_min gives way on {count} edges of pins, where folds leave their pins no room: from "
                      "{before:.3g mm} to {after:.3g mm} at the {side} of {tile}",
     "relaxed.p_max": "p_max gives way on {count} edges of pins, where folds ask for less than pins that "
@@ -307,6 +319,10 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "check.clear": "all tiles can be made",
     "check.blocked": "{count} of {of} tiles can't be made ({at:6})",
     "check.likely": "{count} tiles are likely to fail ({at:6})",
+    "sharp": ("fold of {radius:.2g mm} radius at {tile}: {least:.2g mm} would do at L {L:.4g mm}, "
+              "H_body {H_body:g mm}"),
+    "sharp.flat": ("pins of A_pin_floor have no room at L {L:.4g mm}, H_body {H_body:g mm}, even where it is "
+                   "flat"),
     "limits.L": "L can be {low:g mm} to {high:g mm} (at H_body {H_body:g mm})",
     "limits.no_L": "no L was found at which all tiles can be made (at H_body {H_body:g mm})",
     "limits.H_body": "H_body can be up to {H_body:g mm} (at L {L:.4g mm})",

@@ -11,12 +11,14 @@ from pathlib import Path
 from typing import Any, Callable, NoReturn, Optional, Sequence
 
 from .. import __version__
-from ..base.errors import BAD_INPUT, NOT_WRITTEN, STOPPED, CurveUpsError, Stopped
+from ..base.errors import BAD_INPUT, NOT_WRITTEN, STOPPED, CurveUpsError, Stopped, without_package
+from ..base.output import require_folder_name
 from ..base.profiles import profile_names
 from ..base.progress import Interrupt, Reporter
 
 _EPILOG = """exit status: 0 valid, or verification was off; 1 finished, but not valid; 2 bad input or usage,
 nothing written; 3 stopped, the best so far was written; 4 a file could not be written"""
+_Argument = tuple[tuple[str, ...], dict[str, Any]]  # of add_argument
 
 
 class _Parser(argparse.ArgumentParser):
@@ -33,58 +35,69 @@ def make_parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"curveups {__version__}")
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND", parser_class=_Parser)
 
-    design = _command(commands, "design", "design a target, from its surface to print files")
-    _target_arguments(design)
-    _cuts_argument(design)
-    design.add_argument("--auto-cuts", type=_number_of("cuts", 0, 100), default=0, metavar="N",
-                        help="make up to N suggested cuts; the first opens a closed target")
-    design.add_argument("--self-shaping", action="store_true",
-                        help="move pins and tiles until the design needs as little friction as it can, so "
-                             "that the piece comes to rest near the target")
-    design.add_argument("--no-remesh", action="store_true", help="take the mesh as it is")
-    design.add_argument("--no-solids", action="store_true", help="write only design.json and the reports")
+    def add(name: str, text: str, *arguments: _Argument) -> None:
+        command = commands.add_parser(name, help=text, description=text[0].upper() + text[1:] + ".",
+                                      allow_abbrev=False, epilog=_EPILOG)
+        for names, options in arguments:
+            command.add_argument(*names, **options)
 
-    check = _command(commands, "check", "find out which parts of a target can become tiles")
-    _target_arguments(check, folder_required=False)
-    _cuts_argument(check)
-    check.add_argument("--no-remesh", action="store_true", help="take the mesh as it is")
-
-    remesh = _command(commands, "remesh", "write the remeshed target as NAME-remeshed.obj")
-    _target_arguments(remesh)
-
-    _command(commands, "targets", "list the built-in targets", quiet=False)
-    listed = _command(commands, "parameters", "list the parameters: name, unit, default, range, meaning",
-                      quiet=False)
-    listed.add_argument("--all", action="store_true", help="list the advanced ones and switches, too")
-
-    verify = _design_command(commands, "verify", "verify a design file by the exact physical model")
-    verify.add_argument("-o", dest="output", type=_folder, metavar="DIR",
-                        help="write design.json, report.json and report.html there")
-
-    export = _design_command(commands, "export", "write print files of a design file")
-    _output_argument(export)
-    export.add_argument("--tiles", metavar="T00012,...", help="write these tiles alone, as spares")
-    _set_argument(export)
-
-    kit = _design_command(commands, "kit", "write all that is needed from the order to the finished shell")
-    _output_argument(kit)
-    _set_argument(kit)
-    kit.add_argument("--quantity", type=_number_of("pieces", 1, 1000), default=1, metavar="N",
-                     help="how many to order")
-    kit.add_argument("--names", default="{name}-{body}", metavar="MASK",
-                     help="names of print files, of {name}, {body}, {material}, {thickness} and {quantity}")
-    kit.add_argument("--language", default="en", metavar="de", help="language of the sheets (default: en)")
-
-    compare = _design_command(commands, "compare", "compare a scan of a built piece with its design")
-    compare.add_argument("scan", type=Path, metavar="SCAN",
-                         help="a mesh, or points as text: x y z a line, of markers T00012 x y z")
-    _output_argument(compare)
-
-    actuate = _design_command(commands, "actuate", "compute the shape of the built piece: released from "
-                              "flat, shaken, pressed over its former")
-    _output_argument(actuate)
-    _set_argument(actuate)
+    quiet = _argument("--quiet", action="store_true", help="show no progress")
+    output, may_output = (_argument("-o", dest="output", type=_folder, required=required, metavar="DIR",
+                                    help="write the files to this folder") for required in (True, False))
+    settings = _argument(
+        "--set", dest="settings", action="append", default=[], metavar="name=value",
+        help="a parameter, or several; see 'curveups parameters'. L=auto and H_body=auto choose the largest "
+             "that work; material_membrane, material_glue and material_tile choose from the library")
+    target = (
+        _argument("target", metavar="TARGET",
+                  help="a built-in name, or an OBJ, STL, PLY, OFF, 3MF, STEP, IGES or BREP file"),
+        settings, _argument("--config", type=Path, action="append", default=[], metavar="FILE.json",
+                            help='parameters as { "name": value, ... }, with a note as "about"; may be given '
+                                 "several times: the last wins, and --set wins over all"),
+        _argument("--profile", choices=profile_names(), metavar="NAME",
+                  help="parameters that print well on one kind of printer "
+                       f"({', '.join(profile_names())}); --config and --set win over them"), quiet)
+    mesh = (_argument("--cuts", type=Path, metavar="FILE.json", help="cuts, as vertex pairs or polylines"),
+            _argument("--no-remesh", action="store_true", help="take the mesh as it is"))
+    design = (_argument("design", type=Path, metavar="DESIGN.json"), quiet)
+    check_all = _argument("--check-all", action="store_true",
+                          help="let OpenCASCADE check the solids of all bodies, slabs too, instead of 16 of "
+                               "each kind")
+    add("design", "design a target, from its surface to print files", *target, output, *mesh,
+        _argument("--follow", type=Path, metavar="DESIGN.json",
+                  help="carry the tiles, cuts and parameters of this design along, where the target's shape "
+                       "has changed"),
+        _argument("--auto-cuts", type=_number_of("cuts", 0, 100), default=0, metavar="N",
+                  help="make up to N suggested cuts; the first opens a closed target"),
+        _argument("--self-shaping", action="store_true",
+                  help="move pins and tiles until the design needs as little friction as it can, so that the "
+                       "piece comes to rest near the target"),
+        _argument("--no-solids", action="store_true", help="write only design.json and the reports"),
+        check_all)
+    add("check", "find out which parts of a target can become tiles", *target, may_output, *mesh)
+    add("remesh", "write the remeshed target as NAME-remeshed.obj", *target, output)
+    add("targets", "list the built-in targets")
+    add("parameters", "list the parameters: name, unit, default, range, meaning",
+        _argument("--all", action="store_true", help="list the advanced ones and switches, too"))
+    add("verify", "verify a design file by the exact physical model", *design, may_output)
+    add("export", "write print files of a design file", *design, output, settings,
+        _argument("--tiles", metavar="T00012,...", help="write these tiles alone, as spares"), check_all)
+    add("kit", "write all that is needed from the order to the finished shell", *design, output, settings,
+        _argument("--quantity", type=_number_of("pieces", 1, 1000), default=1, metavar="N",
+                  help="how many to order"),
+        _argument("--names", default="{name}-{body}", metavar="MASK",
+                  help="names of print files, of {name}, {body}, {material}, {thickness} and {quantity}"),
+        _argument("--language", default="en", metavar="de", help="language of the sheets (default: en)"))
+    add("compare", "compare a scan of a built piece with its design", *design, output,
+        _argument("scan", type=Path, metavar="SCAN",
+                  help="a mesh, or points as text: x y z a line, of markers T00012 x y z"))
+    add("actuate", "compute the shape of the built piece: released from flat, shaken, pressed over its "
+        "former", *design, output, settings)
     return parser
+
+
+def _argument(*names: str, **options: Any) -> _Argument:
+    return names, options
 
 
 def _number_of(what: str, least: int, most: int) -> Callable[[str], int]:
@@ -101,50 +114,6 @@ def _folder(text: str) -> Path:
     if not text:
         raise argparse.ArgumentTypeError("the folder has no name")
     return Path(text)
-
-
-def _command(commands: Any, name: str, text: str, quiet: bool = True) -> argparse.ArgumentParser:
-    parser = commands.add_parser(name, help=text, description=text[0].upper() + text[1:] + ".",
-                                 allow_abbrev=False, epilog=_EPILOG)
-    if quiet:
-        parser.add_argument("--quiet", action="store_true", help="show no progress")
-    return parser
-
-
-def _design_command(commands: Any, name: str, text: str) -> argparse.ArgumentParser:
-    parser = _command(commands, name, text)
-    parser.add_argument("design", type=Path, metavar="DESIGN.json")
-    return parser
-
-
-def _target_arguments(parser: argparse.ArgumentParser, folder_required: bool = True) -> None:
-    parser.add_argument("target", metavar="TARGET",
-                        help="a built-in name, or an OBJ, STL, PLY, OFF, 3MF, STEP, IGES or BREP file")
-    _output_argument(parser, folder_required)
-    _set_argument(parser)
-    parser.add_argument("--config", type=Path, action="append", default=[], metavar="FILE.json",
-                        help='parameters as { "name": value, ... }, with a note as "about"; may be '
-                             "given several times: the last wins, and --set wins over all")
-    parser.add_argument("--profile", choices=profile_names(), metavar="NAME",
-                        help="parameters that print well on one kind of printer "
-                             f"({', '.join(profile_names())}); --config and --set win over them")
-
-
-def _output_argument(parser: argparse.ArgumentParser, required: bool = True) -> None:
-    parser.add_argument("-o", dest="output", type=_folder, required=required, metavar="DIR",
-                        help="write the files to this folder")
-
-
-def _cuts_argument(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--cuts", type=Path, metavar="FILE.json", help="cuts, as vertex pairs or polylines")
-
-
-def _set_argument(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--set", dest="settings", action="append", default=[],
-                        metavar="name=value",
-                        help="a parameter, or several; see 'curveups parameters'. L=auto and H_body=auto "
-                             "choose the largest that work; material_membrane, material_glue and "
-                             "material_tile choose from the library")
 
 
 def _one_setting_each(arguments: Sequence[str]) -> list[str]:
@@ -165,6 +134,8 @@ def _one_setting_each(arguments: Sequence[str]) -> list[str]:
 def run(arguments: Optional[list[str]]) -> int:
     """Runs one command and returns its exit status. Raises CurveUpsError."""
     options = make_parser().parse_args(_one_setting_each(sys.argv[1:] if arguments is None else arguments))
+    if getattr(options, "output", None):
+        require_folder_name(options.output)
     with Interrupt() as interrupt:
         reporter = Reporter(interrupt, getattr(options, "quiet", False))
         try:
@@ -191,6 +162,9 @@ def main(arguments: Optional[list[str]] = None) -> int:
     except MemoryError:
         _tell("there is not enough memory (this machine): use larger tiles or a smaller target")
     except Exception as error:  # otherwise Python would end with status 1, which means "not valid"
+        if isinstance(known := without_package(error), CurveUpsError):
+            _tell(str(known))
+            return known.status
         text = " ".join(str(error).split())
         _tell(f"unexpected {type(error).__name__}{f' ({text})' if text else ''}: please report it, with "
               "what CURVEUPS_DEBUG=1 shows")

@@ -4,12 +4,6 @@
 import os
 import sys
 
-# Results need BLAS on one thread.
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-
-# OpenCASCADE's memory by oneTBB's allocator, where its build has that: checking solids takes 0.6 of the time.
-os.environ.setdefault("MMGT_OPT", "2")
-
 # OpenCASCADE prints to standard output from C: that goes nowhere, answers go to a stream of their own.
 sys.stdout = os.fdopen(os.dup(1), "w", encoding="utf-8")
 os.dup2(os.open(os.devnull, os.O_WRONLY), 1)

@@ -11,19 +11,21 @@ from ..base.errors import NOT_VALID, STOPPED, VALID, CurveUpsError, Stopped
 from ..base.findings import Finding, first_of_each_kind
 from ..base.language import Language
 from ..base.native import native, translated
-from ..base.output import Folder, plain_name, require_folder_name, safe_name
+from ..base.output import Folder, plain_name, safe_name
 from ..base.parameters import parameter, table, with_values
 from ..base.profiles import MATERIALS, NOTES, of_material, profile_path
 from ..base.progress import Reporter
 from ..features.document_file import write_document
 from ..kit import compare as comparing, files as kit_files
+from ..project.following import carry_along
 from ..project.project import Project, Results
 from ..project.size_choice import AUTOMATIC, choose
 from ..report import actuation, check as check_report
 from ..report.exports import write_spares
 from ..report.files import write_check, write_files, write_obj, write_verification
-from ..stages import RISEN, asked_by
+from ..stages import RISEN, stages_of
 from ..stages.cut_request import CutRequest, read_cuts, read_json_object
+from ..stages.following import Earlier
 from ..stages.solids import density_of
 from ..stages.stage import Job
 from ..stages.surface import find_source
@@ -31,14 +33,15 @@ from ..stages.surface import find_source
 
 def design(options: Any, reporter: Reporter) -> int:
     """curveups design"""
-    require_folder_name(options.output)
-    cuts = read_cuts(options.cuts) if options.cuts else CutRequest()
-    cuts = replace(cuts, suggested=options.auto_cuts)
-    project = _project(options, cuts, reporter, not options.no_remesh)
+    earlier = _read_design(options.follow) if options.follow else None
+    project = _project(options, replace(_cuts(options), suggested=options.auto_cuts), reporter, earlier)
     job = Job(reporter)
+    if earlier:
+        carry_along(project, Earlier.of(earlier), job, not options.cuts and not options.auto_cuts)
+        reporter.say(str(project.latest("target").tiling))
     if (cuts := project.latest("cut request")).suggested:
         project.give("cut request", cuts.accept(project.run(("cut search",), job)["cut search"]))
-    goals = (*asked_by("solve"), *asked_by("settle", *(() if options.no_solids else ("print",))))
+    goals = (*stages_of("solve"), *stages_of("settle", *(() if options.no_solids else ("build", "print"))))
     results = project.run(goals, job)
     stopped = write_files(results, options.output, job, write_document)
     return _finish(results, options.output, reporter, stopped)
@@ -46,17 +49,15 @@ def design(options: Any, reporter: Reporter) -> int:
 
 def check(options: Any, reporter: Reporter) -> int:
     """curveups check"""
-    if options.output:
-        require_folder_name(options.output)
-    cuts = read_cuts(options.cuts) if options.cuts else CutRequest()
+    cuts = _cuts(options)
     # Closed surfaces are accepted and reported.
-    project = _project(options, replace(cuts, suggested=1), reporter, not options.no_remesh)
+    project = _project(options, replace(cuts, suggested=1), reporter)
     project.give("cut request", cuts)
     job = Job(reporter)
-    results = project.run(asked_by("check"), job)
+    results = project.run(stages_of("check"), job)
     for line in check_report.table(results):
         _answer(line)
-    results = project.run(asked_by("check", "sizes"), job)
+    results = project.run(stages_of("check", "sizes"), job)
     for finding in check_report.advice(results):
         _answer(str(finding))
     if options.output:
@@ -68,7 +69,6 @@ def check(options: Any, reporter: Reporter) -> int:
 
 def remesh(options: Any, reporter: Reporter) -> int:
     """curveups remesh"""
-    require_folder_name(options.output)
     # A closed target may be cut later.
     project = _project(options, CutRequest(suggested=1), reporter)
     target = project.run(("target",), Job(reporter))["target"]
@@ -86,11 +86,10 @@ def targets(options: Any, reporter: Reporter) -> int:
 
 def parameters(options: Any, reporter: Reporter) -> int:
     """curveups parameters"""
-    group = None
-    for row in (row for row in table() if row.basic or options.all):
-        if row.group != group:
-            _answer(f"{'' if group is None else chr(10)}{row.group}")
-            group = row.group
+    shown = [row for row in table() if row.basic or options.all]
+    for before, row in zip((None, *shown), shown):
+        if before is None or row.group != before.group:
+            _answer(f"\n{row.group}" if before else row.group)
         _answer(f"  {row.name:<28}{_default(row):<22}{_range(row):<29}{row.meaning}")
     if not options.all:
         _answer("\n'curveups parameters --all' lists the others, too")
@@ -99,12 +98,10 @@ def parameters(options: Any, reporter: Reporter) -> int:
 
 def verify(options: Any, reporter: Reporter) -> int:
     """curveups verify"""
-    if options.output:
-        require_folder_name(options.output)
     design = _read_design(options.design)
     project = Project.of_design(design, str(options.design))
     project.parameters = with_values(project.parameters, {"run_verification": True})
-    results = project.run(asked_by("verify"), Job(reporter), strict=True)
+    results = project.run(stages_of("verify"), Job(reporter), strict=True)
     if options.output:
         write_verification(results, design, options.output)
     return _finish(results, options.output, reporter, results.stopped)
@@ -112,7 +109,6 @@ def verify(options: Any, reporter: Reporter) -> int:
 
 def export(options: Any, reporter: Reporter) -> int:
     """curveups export"""
-    require_folder_name(options.output)
     project, rebuilt = _design_project(options, reporter)
     job = Job(reporter)
     if options.tiles is not None:
@@ -120,28 +116,25 @@ def export(options: Any, reporter: Reporter) -> int:
         reporter.say(f"written: {', '.join(spares)}")
         return VALID
     note = Finding("unverified.changed" if rebuilt else "unverified.export")
-    results = project.run(asked_by("print"), job, strict=True, note=note)
+    results = project.run(stages_of("build", "print"), job, strict=True, note=note)
     stopped = write_files(results, options.output, job, write_document)
     return _finish(results, options.output, reporter, stopped)
 
 
 def kit(options: Any, reporter: Reporter) -> int:
     """curveups kit"""
-    require_folder_name(options.output)
     order = kit_files.Order(options.quantity, options.names, Language(options.language).name)
     project, _ = _design_project(options, reporter)
     job = Job(reporter)
     results = kit_files.make(project, job)
-    if results["check"].print_block:
-        stopped = kit_files.write_kit(results, options.output, job, order)
-    else:  # stopped before there was anything to draw
+    if not results["check"].print_block:  # stopped before there was anything to draw
         raise Stopped
+    stopped = kit_files.write_kit(results, options.output, job, order)
     return _finish(results, options.output, reporter, stopped)
 
 
 def compare(options: Any, reporter: Reporter) -> int:
     """curveups compare"""
-    require_folder_name(options.output)
     design = _read_design(options.design)
     with translated(str(options.scan)):
         scan = comparing.read_scan(options.scan, len(design.F))
@@ -155,10 +148,9 @@ def compare(options: Any, reporter: Reporter) -> int:
 
 def actuate(options: Any, reporter: Reporter) -> int:
     """curveups actuate"""
-    require_folder_name(options.output)
     project, _ = _design_project(options, reporter, ("rebuild", "files", "verify"))
     job = Job(reporter)
-    results = project.run(("bodies", *asked_by("actuate")), job, strict=True)
+    results = project.run(("bodies", *stages_of("actuate")), job, strict=True)
     with translated(str(options.design)):
         stopped = actuation.write_actuation(results, options.output, job)
     for finding in results[RISEN].findings():
@@ -169,9 +161,8 @@ def actuate(options: Any, reporter: Reporter) -> int:
     return VALID if results[RISEN].is_known else NOT_VALID
 
 
-COMMANDS = {"design": design, "check": check, "remesh": remesh, "targets": targets, "parameters": parameters,
-            "verify": verify, "export": export, "kit": kit, "compare": compare,
-            "actuate": actuate}
+COMMANDS = {command.__name__: command for command in (design, check, remesh, targets, parameters, verify,
+                                                      export, kit, compare, actuate)}
 
 
 def _design_project(options: Any, reporter: Reporter, effects: tuple[str, ...] = ("rebuild", "files")
@@ -182,10 +173,11 @@ def _design_project(options: Any, reporter: Reporter, effects: tuple[str, ...] =
     values, rebuilt = project.parameters, False
     # The density follows the printer where it is the printer's and no verdict depends on it.
     follows = values.get("density") == density_of(values.get("printer")) and values.get("gravity") == "off"
-    given = [(name, text, f"--set {name}") for name, text in _settings(options.settings)]
+    given = list(_settings(options))
     for name, value, where in _with_materials(given):
         before = native.Parameters(values)
-        _set(values, name, value, where)
+        with translated(where):
+            values.set(name, value)
         row = parameter(native.parameter_name(name))
         if row.effect not in effects:
             typed = where.removeprefix("--set ")  # possibly a material's
@@ -213,46 +205,47 @@ def _finish(results: Results, folder: Path | None, reporter: Reporter, stopped: 
         reporter.say(f"  {reason}")
     for first, others in first_of_each_kind(results.warnings()):  # report.json and the page have all
         reporter.say(f"  warning: {first}" + (f" (and {others} more of this kind)" if others else ""))
-    _report_cuts(results, reporter)
+    suggestions = results.get("suggestions")
+    if suggestions is not None and suggestions.proposed:
+        if verdict.valid is not False:  # otherwise they stand among the reasons
+            for cut in suggestions.proposed:
+                reporter.say(f"  warning: {cut} would relieve the layout")
+        reporter.say(f"  to make them: --cuts with {results.name}-cuts.json, or --auto-cuts "
+                     f"{len(suggestions.applied) + len(suggestions.proposed)} for as many, chosen anew")
     if stopped:
         reporter.say("stopped: the files so far are written" if folder else "stopped")
         return STOPPED
     return NOT_VALID if verdict.valid is False else VALID
 
 
-def _report_cuts(results: Results, reporter: Reporter) -> None:
-    """Reports proposed cuts, and how to make them."""
-    suggestions = results.get("suggestions")
-    if suggestions is None or not suggestions.proposed:
-        return
-    if results.verdict.valid is not False:  # otherwise they stand among the reasons
-        for cut in suggestions.proposed:
-            reporter.say(f"  warning: {cut} would relieve the layout")
-    reporter.say(f"  to make them: --cuts with {results.name}-cuts.json, or --auto-cuts "
-                 f"{len(suggestions.applied) + len(suggestions.proposed)} for as many, chosen anew")
+def _cuts(options: Any) -> CutRequest:
+    return read_cuts(options.cuts) if options.cuts else CutRequest()
 
 
-def _project(options: Any, cuts: CutRequest, reporter: Reporter, remesh: bool = True) -> Project:
-    """Project of a target; with L=auto or H_body=auto, with the chosen sizes and their design."""
-    values, automatic = native.Parameters(), set()
-
-    def put(name: str, value: Any, where: str) -> None:
-        if name in AUTOMATIC and value == "auto":
-            automatic.add(name)
-        else:
-            automatic.discard(name)
-            _set(values, name, value, where)
-
+def _project(options: Any, cuts: CutRequest, reporter: Reporter, earlier: Any = None) -> Project:
+    """Project of a target; with L=auto or H_body=auto, with the chosen sizes and their design. earlier: the
+    design whose parameters are the defaults."""
+    values, automatic = _defaults(earlier), set()
     profile = [profile_path(options.profile)] if options.profile else []
     of_profile, given = ([(name, value, str(path)) for path in paths
                           for name, value in read_json_object(path).items() if name not in NOTES]
                          for paths in (profile, options.config))
-    given += [(name, text, f"--set {name}") for name, text in _settings(options.settings)]
-    if getattr(options, "self_shaping", False):
-        given.append(("self_shaping", "on", "--self-shaping"))
+    given += _settings(options)
     for name, value, where in (*_of_printer([*of_profile, *given]), *of_profile, *_with_materials(given)):
-        put(name, value, where)
-    will_be_cut = bool(cuts) or cuts.suggested > 0 or values.get("pieces") != "1"
+        if name in AUTOMATIC and value == "auto":
+            automatic.add(name)
+        else:
+            automatic.discard(name)
+            with translated(where):
+                values.set(name, value)
+    if earlier and automatic:
+        raise CurveUpsError(f"{sorted(automatic)[0]}=auto makes other tiles", "--follow",
+                            "leave one of them out")
+    if earlier and options.no_remesh:
+        raise CurveUpsError("--no-remesh takes other tiles", "--follow", "leave one of them out")
+    will_be_cut = (bool(cuts) or bool(earlier and len(earlier.cuts)) or cuts.suggested > 0
+                   or values.get("pieces") != "1")
+    remesh = not getattr(options, "no_remesh", False)
     source = find_source(options.target, remesh=remesh, will_be_cut=will_be_cut)
     project = Project(safe_name(source.name), values, {"source": source, "cut request": cuts}, options.target)
     if not automatic:
@@ -263,6 +256,17 @@ def _project(options: Any, cuts: CutRequest, reporter: Reporter, remesh: bool = 
     for name, value in choice.values.items():
         reporter.say(f"{name} = {value:g} mm is chosen")
     return choice.project
+
+
+def _defaults(earlier: Any) -> Any:
+    """Parameters of an earlier design, if any, but for stages, which commands choose."""
+    values, defaults = native.Parameters(), native.Parameters()
+    if earlier:
+        values = native.Parameters(earlier.parameters)
+        for row in table():
+            if row.level == "switch":
+                values.set(row.name, defaults.get(row.name))
+    return values
 
 
 def _of_printer(given: Sequence[tuple[str, Any, str]]) -> Iterator[tuple[str, Any, str]]:
@@ -293,17 +297,16 @@ def _read_design(path: Path) -> Any:
     return design.with_name(plain_name(design.name))
 
 
-def _settings(texts: list[str]) -> Iterator[tuple[str, str]]:
-    for text in texts:
-        name, equals, value = text.partition("=")
+def _settings(options: Any) -> Iterator[tuple[str, str, str]]:
+    """Names, values and places of --set, and of options that switch a parameter on."""
+    for text in options.settings:
+        name, equals, value = map(str.strip, text.partition("="))
         if not equals or not name:
             raise CurveUpsError(f"'{text}' is no setting", "--set", "give name=value")
-        yield name.strip(), value.strip()
-
-
-def _set(values: Any, name: str, value: Any, where: str) -> None:
-    with translated(where):
-        values.set(name, value)
+        yield name, value, f"--set {name}"
+    for name in ("self_shaping", "check_all"):
+        if getattr(options, name, False):
+            yield name, "on", f"--{name.replace('_', '-')}"
 
 
 def _default(row: Any) -> str:

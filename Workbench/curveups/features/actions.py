@@ -16,32 +16,24 @@ from typing import Any, Callable, Collection, Iterator, Mapping, Optional, Seque
 from ..base import profiles
 from ..base.errors import CurveUpsError, Stopped
 from ..base.findings import Finding
-from ..base.native import native, translated
-from ..base.output import Folder, safe_name
+from ..base.native import native
+from ..base.output import safe_name
 from ..kit import files as kit_files
+from ..project.following import carry_along
 from ..project.project import Project, Results
 from ..project.size_choice import AUTOMATIC, SizeChoice, choose
-from ..report import actuation
 from ..report.exports import Choice, File, choices, report as write_report, write_export
-from ..stages import RISEN, asked_by
+from ..stages import BY_NAME, SETTLED, stages_of
 from ..stages.layout import Layout
 from ..stages.stage import Job
-from . import live, properties, status
-from .design import SOLIDS, take_solids
-from .document import Stored, take, to_store
+from . import properties, status
+from .design import SOLIDS, design_project_of, earlier_tiles, project_of, stored, take_solids
+from .document import take
+from .parts import request_of
 from .status import Keys, read_keys, write_keys
 
 
-@dataclass(frozen=True)
-class Ran:
-    """Results of a run, and their text for a document that still holds `before`."""
-
-    results: Results
-    before: Project
-    stored: Optional[Stored]
-
-
-Work = Callable[[Job], Ran]
+Work = Callable[[Job], Results]
 
 
 @dataclass(frozen=True)
@@ -57,16 +49,16 @@ class Run:
     @property
     def of_target(self) -> bool:
         """True for a run that starts from the target; others need a layout."""
-        return self.project is live.project_of
+        return self.project is project_of
 
 
 def _repaired(design: Any) -> Project:
     """Project of a repair of the layout as it stands, which may have been repaired or stopped before."""
-    standing, stored = live.design_project_of(design), live.stored(design)
+    standing, results = design_project_of(design), stored(design)
     finished = standing.latest("design")
-    layout = stored.latest("layout") or Layout(
+    layout = results.latest("layout") or Layout(
         finished.design, False, {"converged": True, "iterations": 0, "energies": {}}, 0.0)
-    given = {name: result for name in ("source", "target", "cuts") if (result := stored.latest(name))}
+    given = {name: result for name in ("source", "target", "cuts") if (result := results.latest(name))}
     given["layout"] = replace(layout, design=finished.design)
     parameters = native.Parameters(standing.parameters)
     parameters.set("self_shaping", design.SelfShaping)  # of the layout's parameters, repair's alone
@@ -74,32 +66,41 @@ def _repaired(design: Any) -> Project:
 
 
 RUNS = {
-    "divide": Run("Divide", ("target smoothing",), live.project_of),
-    "check": Run("Check", asked_by("check"), live.project_of),
-    "find_sizes": Run("Find Sizes", asked_by("check", "sizes"), live.project_of),
-    "solve": Run("Solve", asked_by("solve", "settle"), live.project_of, anew=True),
-    "verify": Run("Verify", asked_by("verify"), live.design_project_of),
-    "repair": Run("Repair", ("design", *asked_by("verify")), _repaired),
-    "actuate": Run("Actuate", asked_by("actuate"), live.design_project_of, anew=True),
-    "build_solids": Run("Build Solids", SOLIDS, live.design_project_of, strict=True),
+    "divide": Run("Divide", ("target smoothing",), project_of),
+    "check": Run("Check", stages_of("check"), project_of),
+    "find_sizes": Run("Find Sizes", stages_of("check", "sizes"), project_of),
+    "solve": Run("Solve", stages_of("solve", "settle"), project_of, anew=True),
+    "tile_anew": Run("Tile Anew", stages_of("solve", "settle"), project_of, anew=True),
+    "verify": Run("Verify", stages_of("verify"), design_project_of),
+    "repair": Run("Repair", ("design", *stages_of("verify")), _repaired),
+    "actuate": Run("Actuate", stages_of("actuate"), design_project_of, anew=True),
+    "build_solids": Run("Build Solids", SOLIDS, design_project_of, strict=True),
 }
 _handed_over: dict[tuple[str, str, str], Any] = {}  # values of a thread's work, by function and design
 
 
-def prepare(which: str, design: Any) -> tuple[Project, Work]:
-    """Project of a run, and the work on it, for any thread: it touches no document. Raises CurveUpsError
-    where there is nothing to start from or a property can't be used."""
-    run, before = RUNS[which], live.stored(design)
+def prepare(which: str, design: Any, settles: bool = True) -> tuple[Project, Work]:
+    """Project of a run, and the work on it, for any thread: it touches no document. settles: False leaves
+    settled forces out, unless the verdict depends on them. Raises CurveUpsError where there is nothing to
+    start from or a property can't be used."""
+    run = RUNS[which]
     project = run.project(design).copy()
     if run.anew:
         project.forget_stopped()
+    earlier = earlier_tiles(design, project) if run.of_target and which != "tile_anew" else None
+    if which == "tile_anew":
+        project.forget("target")
+        project.give("cut request", request_of(design.Cuts, by_number=False))
+    goals = tuple(name for name in run.goals
+                  if settles or name != SETTLED or BY_NAME[name].contributes(project.parameters))
 
-    def work(job: Job) -> Ran:
+    def work(job: Job) -> Results:
+        if earlier is not None:
+            carry_along(project, earlier, job)
         if run.anew and run.of_target:
             project.run(("pin smoothing",), job)
             project.forget_out_of_date()  # pictures would show it
-        results = project.run(run.goals, job, strict=run.strict)
-        return Ran(results, before, None if which == "build_solids" else to_store(before, results))
+        return project.run(goals, job, strict=run.strict)
 
     return project, work
 
@@ -142,7 +143,7 @@ def choose_sizes(design: Any, names: Collection[str] = AUTOMATIC) -> SizeChoice:
 def sizes_work(design: Any, names: Collection[str]) -> Callable[[Job], SizeChoice]:
     """Work of choose_sizes, for any thread; it sets nothing."""
     refuse_bound(design, names)
-    project = live.project_of(design).copy()
+    project = project_of(design).copy()
     return lambda job: choose(project, names, job)
 
 
@@ -183,6 +184,11 @@ def solve(design: Any) -> Results:
     return _run("solve", design)
 
 
+def tile_anew(design: Any) -> Results:
+    """Solve with new tiles, which do not follow the earlier ones; cuts keep their places."""
+    return _run("tile_anew", design)
+
+
 def verify(design: Any) -> Results:
     """Judge the layout as it stands, under the present geometry and physics."""
     return _run("verify", design)
@@ -198,46 +204,19 @@ def actuate(design: Any) -> Results:
     return _run("actuate", design)
 
 
-def write_frame(design: Any, path: str, number: int = -1) -> None:
-    """Write the tiles at a frame of the path from flat, by default the last, as a STEP file."""
-    _value_of("write_frame", design, lambda: frame_work(design, path, number))
-
-
-def frame_work(design: Any, path: str, number: int) -> Callable[[Job], bool]:
-    """Work of write_frame, for any thread."""
-    motion = live.stored(design).latest(RISEN)
-    if motion is None:
-        raise CurveUpsError("there is no path yet", design.Label, "run Actuate")
-    count = len(motion.time)
-    if not -count <= number < count:
-        raise CurveUpsError(f"there is no frame {number}", design.Label, f"give one of 0 to {count - 1}")
-    file = Path(path)
-
-    def work(job: Job) -> bool:
-        bodies = Project.of_design(motion.design, path).run(("bodies",), job, strict=True)["bodies"]
-        if bodies.model is None:
-            raise Stopped
-        with translated(path):
-            actuation.write_frame(bodies.model, motion.frame(number), Folder(file.parent), file.name, job)
-        return True
-
-    return work
-
-
 def build_solids(design: Any) -> Results:
     """Build the solids of tiles, support and anchors. This is no step of undo, which would copy them all."""
     return _run("build_solids", design)
 
 
 def _run(which: str, design: Any) -> Results:
-    ran: Ran = _value_of(which, design, lambda: prepare(which, design)[1])
-    results = ran.results
+    results: Results = _value_of(which, design, lambda: prepare(which, design)[1])
     if which == "build_solids":
         take_solids(design, results)
     else:
         with transaction(design.Document, RUNS[which].title):
             first = "design" not in read_keys(design).records
-            take(design, results, stored=ran.stored if live.stored(design) is ran.before else None)
+            take(design, results)
             if first and which == "solve" and design.Target.Source is not None:
                 design.Target.Source.Visibility = False  # it would cover the layout
     return results
@@ -254,7 +233,7 @@ def export(design: Any, folder: str, files: Sequence[File] = (), mask: str = Cho
 
 def export_work(design: Any, folder: str, choice: Choice) -> Callable[[Job], list[str]]:
     """Work of export, for any thread."""
-    project = live.design_project_of(design).copy()
+    project = design_project_of(design).copy()
     project.name = file_name(design)
     return lambda job: list(write_export(project, Path(folder), choice, job).files)
 
@@ -266,9 +245,9 @@ def report(design: Any, folder: str) -> str:
 
 def report_work(design: Any, folder: str) -> Callable[[Job], str]:
     """Work of report, for any thread."""
-    project, doubted = live.project_of(design).copy(), doubts(design)
+    project, doubted = project_of(design).copy(), doubts(design)
     if project.out_of_date("design") != ():
-        project = live.design_project_of(design).copy()
+        project = design_project_of(design).copy()
     project.name = file_name(design)
     return lambda job: str(write_report(project, Path(folder), doubted, job))
 
@@ -295,7 +274,7 @@ def kit(design: Any, folder: str, quantity: int = 1, mask: str = kit_files.Order
 
 def kit_work(design: Any, folder: str, order: kit_files.Order) -> Callable[[Job], WrittenKit]:
     """Work of kit, for any thread."""
-    project = live.design_project_of(design).copy()
+    project = design_project_of(design).copy()
     project.name = file_name(design)
     current = status.status_of(design).kit[0] == status.CURRENT
 

@@ -6,9 +6,9 @@ Lengths are in mm. A function raises CurveUpsError where it can't be done, and l
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
-from typing import Any, Callable, Mapping, Optional
+from typing import Any, Callable, Mapping
 
 import numpy as np
 
@@ -16,13 +16,12 @@ from ..base.errors import CurveUpsError
 from ..base.native import translated
 from ..project import saved_results
 from ..project.keys import changes
-from ..project.project import Made, Project, Results
+from ..project.project import Made, Results
 from ..stages import BY_NAME, SETTLED, VERDICT
-from . import live, properties, status, target
-from .design import DesignProxy, take_solids
-from .live import design_project_of, project_of, settings_of
-from .parts import (BodiesProxy, CutsProxy, LayoutProxy, VerificationProxy, edges_of, write_cuts,
-                    write_figures, write_layout, write_verification)
+from . import properties, status, target
+from .design import DesignProxy, design_project_of, project_of, settings_of, stored, take_solids
+from .parts import (BodiesProxy, CutsProxy, LayoutProxy, VerificationProxy, edges_of, forget_settled,
+                    write_cuts, write_figures, write_layout, write_verification)
 from .proxy import SLOTS, Proxy, design_of, designs, show, type_of, write
 from .status import KINDS, Keys, digest_of_edges, read_keys, write_keys
 from .target import is_target
@@ -60,45 +59,43 @@ def design_with_results(document: Any, results: Results) -> Any:
     return obj
 
 
-@dataclass(frozen=True)
-class Stored:
-    """Results as a document stores them: `made`, as read from `text`. solved: a new layout is among them."""
-
-    made: Mapping[str, Made]
-    text: str
-    solved: bool
-
-
-def to_store(before: Project, results: Results) -> Stored:
-    """Results of a run to store in a document that holds `before` (live.stored); for any thread."""
+def take(obj: Any, results: Results) -> None:
+    """Store a run's results in the Design and the objects below it, inside of the caller's transaction; a
+    recompute makes the solids."""
+    before = stored(obj)
     finished = before.latest("design")
     solved = "design" in results and (finished is None or "layout" in results)
     made = {**before.given(), **before.made()}
     made.update(_worth_keeping(results, made, solved))
     with translated(before.where):
         text = saved_results.to_text(made, _NOT_STORED)
-    return Stored(saved_results.from_text(text, before.where), text, solved)
-
-
-def take(obj: Any, results: Results, stored: Optional[Stored] = None) -> None:
-    """Store a run's results in the Design and the objects below it, inside of the caller's transaction; a
-    recompute makes the solids. `stored`: from `to_store` of the results that the Design holds now; made here
-    where it is not given."""
-    stored = stored or to_store(live.stored(obj), results)
     _complete(obj)
     keys = read_keys(obj)
     if "target" in results:
+        tiling, followed = results["target"].tiling, results["target"].followed
+        write(obj, "Tiling", str(tiling) if tiling else "")
+        if followed and followed.cuts is not None and "cut request" in results:
+            write_cuts(obj.Cuts, results["cut request"].edges, results["target"].V)
         for name, value in results["target"].fixes().items():  # L, where the mesh is taken as it is
             properties.write_parameter(obj, name, value)
     if "design" in results:
-        _take_design(obj, results, stored.solved)
+        _take_design(obj, results, solved)
     elif "target" in results:
         _write_mesh(obj.Target, results["target"].V, results["target"].F)
-    write_keys(obj, _keys_with(obj, results, keys, stored.solved))
-    write(obj, "Results", stored.text)
-    live.keep(obj, stored.made)
-    status.refresh(obj)
+    write_keys(obj, _keys_with(obj, results, keys, solved))
+    write(obj, "Results", text)
+    if not status.refresh(obj).settled:
+        forget_settled(obj)
     obj.touch()
+
+
+def take_settled(obj: Any, results: Results) -> None:
+    """Store the settled forces of a run of the stored design. This is no step of undo."""
+    settled = replace(results, made={SETTLED: results.made[SETTLED]})
+    take(obj, settled)
+    if status.status_of(obj).settled:  # not after an undo of the run
+        write_figures(obj, settled, False)
+    obj.purgeTouched()
 
 
 def set_source(obj: Any, source: Any) -> None:
@@ -120,7 +117,7 @@ def _write_source(obj: Any, values: Mapping[str, Any]) -> None:
 
 def set_cuts(obj: Any, edges: Any) -> None:
     """Give a Design other cuts, C x 2 vertices of its Target's mesh; the layout stays, out of date."""
-    divided = live.stored(obj).latest("target")
+    divided = stored(obj).latest("target")
     if divided is None:
         raise CurveUpsError("there are no tiles to cut between yet", obj.Label, "run Solve, or Cuts")
     edges = _edges_of(divided, np.asarray(edges, int).reshape(-1, 2), obj.Label)
@@ -133,7 +130,7 @@ def cuts_of(obj: Any) -> np.ndarray:
     """Cuts of a Design, C x 2 vertices of the Target's mesh. Raises CurveUpsError where they are no edges of
     it."""
     edges = edges_of(obj.Cuts) if obj.Cuts is not None else np.zeros((0, 2), np.int32)
-    divided = live.stored(obj).latest("target") if len(edges) else None
+    divided = stored(obj).latest("target") if len(edges) else None
     return edges if divided is None else _edges_of(divided, edges, obj.Cuts.Label)
 
 

@@ -5,14 +5,12 @@ from __future__ import annotations
 
 import errno
 import math
-import re
 import zipfile
 import zlib
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Iterator, Sequence
-from xml.sax.saxutils import quoteattr
+from typing import Any, Iterator, Mapping, Sequence
+from xml.etree import ElementTree
 
 from ..base import freecad_session
 from ..base.errors import CurveUpsError
@@ -23,29 +21,46 @@ from .status import KINDS
 
 Box = tuple[Sequence[float], Sequence[float]]  # least and largest corner, mm
 
-# Places in FreeCAD's lists of display modes.
-SHADED, MESH_FLAT_LINES = 1, 2
-TWO_SIDE = 1
-
 COMPRESSION = 3  # of zlib: half the time of its default, and shapes are a twentieth larger
 
-# Class of the view of an object with a shape, as FreeCAD stores it. FreeCAD shows objects without one.
-SHAPE_VIEW = 'module="curveups.window.viewproviders" class="ShapeView"'
+# GuiDocument.xml as FreeCAD writes it. Display modes and lighting are places in FreeCAD's lists; Lighting is
+# "Two side".
+SHADED, MESH_FLAT_LINES = 1, 2
+_SHAPE = """<Property name="ShapeColor" type="App::PropertyColor"><PropertyColor value="{colour}"/></Property>
+<Property name="DisplayMode" type="App::PropertyEnumeration"><Integer value="{mode}"/></Property>
+<Property name="Lighting" type="App::PropertyEnumeration"><Integer value="1"/></Property>
+<Property name="Proxy" type="App::PropertyPythonObject"><Python value="bnVsbA==" encoded="yes"
+ module="curveups.window.viewproviders" class="ShapeView"/></Property>
+"""
+_VIEW = """<ViewProvider name="{name}" expanded="1">
+<Properties Count="{count}" TransientCount="0">
+{shape}<Property name="Visibility" type="App::PropertyBool"><Bool value="{shown}"/></Property>
+</Properties>
+</ViewProvider>
+"""
+_DOCUMENT = """<?xml version='1.0' encoding='utf-8'?>
+<Document SchemaVersion="1">
+<ViewProviderData Count="{count}">
+{views}</ViewProviderData>
+<Camera settings="{camera}"/>
+</Document>
+"""
+_CAMERA = """OrthographicCamera {{
+  viewportMapping ADJUST_CAMERA
+  position {position}
+  orientation {orientation}
+  nearDistance 0
+  farDistance {far:.6g}
+  aspectRatio 1
+  focalDistance {size:.6g}
+  height {height:.6g}
+}}
+"""
 
 
-@dataclass
-class View:
-    """View of an object. `colour`: sRGB, 0 to 255; None for an object without a shape."""
-
-    name: str
-    shown: bool
-    colour: tuple[int, int, int] | None = None
-    display_mode: int = SHADED
-
-
-def finish_document(path: Path, views: Sequence[View], box: Box) -> None:
-    """Add the views and a camera that sees `box` to a document without them. Raises OSError, also where
-    FreeCAD has not saved the whole document, which raises nothing itself."""
+def finish_document(path: Path, shown: Mapping[str, bool], box: Box) -> None:
+    """Add views of objects, `shown` or not, and a camera that sees `box` to a document without them. Raises
+    OSError, also where FreeCAD has not saved the whole document, which raises nothing itself."""
     finished = path.with_name(path.name + ".finished")
     try:
         with zipfile.ZipFile(path) as old, zipfile.ZipFile(
@@ -53,9 +68,9 @@ def finish_document(path: Path, views: Sequence[View], box: Box) -> None:
             for entry in old.infolist():
                 content = old.read(entry)
                 if entry.filename == "Document.xml":
-                    content = _without_materials(content.decode()).encode()
+                    content = _without_materials(content)
                 new.writestr(entry.filename, content)
-            new.writestr("GuiDocument.xml", _document(views, box))
+            new.writestr("GuiDocument.xml", _gui_document(shown, box))
         finished.replace(path)
     except (zipfile.BadZipFile, zlib.error, EOFError) as error:
         raise OSError(errno.EIO, "FreeCAD could not save the whole document (is the disk full?)",
@@ -64,38 +79,29 @@ def finish_document(path: Path, views: Sequence[View], box: Box) -> None:
         finished.unlink(missing_ok=True)
 
 
-def _without_materials(text: str) -> str:
+def _without_materials(content: bytes) -> bytes:
     """Document.xml of FreeCAD 1.1 without default materials, whose colour comes before that of the view."""
-    return re.sub(r'<Properties Count="(\d+)"((?:(?!</Properties>).)*?)'
-                  r'<Property name="ShapeMaterial".*?</Property>\s*',
-                  lambda match: f'<Properties Count="{int(match[1]) - 1}"{match[2]}', text, flags=re.DOTALL)
+    if b"ShapeMaterial" not in content:
+        return content
+    root = ElementTree.fromstring(content)
+    for properties in root.iter("Properties"):
+        for material in properties.findall("Property[@name='ShapeMaterial']"):
+            properties.remove(material)
+            properties.set("Count", str(int(properties.get("Count", "1")) - 1))
+    return bytes(ElementTree.tostring(root, encoding="utf-8", xml_declaration=True))
 
 
-def _document(views: Sequence[View], box: Box) -> str:
-    providers = "\n".join(_provider(view) for view in views)
-    return ("<?xml version='1.0' encoding='utf-8'?>\n"
-            '<Document SchemaVersion="1">\n'
-            f'<ViewProviderData Count="{len(views)}">\n{providers}\n</ViewProviderData>\n'
-            f"<Camera settings={quoteattr(_camera(box), {chr(10): '&#10;'})}/>\n</Document>\n")
-
-
-def _provider(view: View) -> str:
-    properties = []
-    if view.colour is not None:
-        red, green, blue = view.colour
-        packed = red << 24 | green << 16 | blue << 8
-        properties += [
-            ("ShapeColor", "App::PropertyColor", f'<PropertyColor value="{packed}"/>'),
-            ("DisplayMode", "App::PropertyEnumeration", f'<Integer value="{view.display_mode}"/>'),
-            ("Lighting", "App::PropertyEnumeration", f'<Integer value="{TWO_SIDE}"/>'),
-            ("Proxy", "App::PropertyPythonObject", f'<Python value="bnVsbA==" encoded="yes" {SHAPE_VIEW}/>')]
-    shown = "true" if view.shown else "false"
-    properties.append(("Visibility", "App::PropertyBool", f'<Bool value="{shown}"/>'))
-    rows = "\n".join(f'<Property name="{name}" type="{kind}">{value}</Property>'
-                     for name, kind, value in properties)
-    return (f'<ViewProvider name="{view.name}" expanded="1">\n'
-            f'<Properties Count="{len(properties)}" TransientCount="0">\n{rows}\n</Properties>\n'
-            "</ViewProvider>")
+def _gui_document(shown: Mapping[str, bool], box: Box) -> str:
+    # As in STEP and 3MF, the target in the colour of its tiles.
+    kinds, views = {**KINDS, "Target": "tiles"}, ""
+    for name, visible in shown.items():
+        shape = ""
+        if name in kinds:
+            red, green, blue = native.COLOURS[kinds[name]]
+            shape = _SHAPE.format(colour=red << 24 | green << 16 | blue << 8,
+                                  mode=MESH_FLAT_LINES if name == "Target" else SHADED)
+        views += _VIEW.format(name=name, count=5 if shape else 1, shape=shape, shown=str(visible).lower())
+    return _DOCUMENT.format(count=len(shown), views=views, camera=_camera(box).replace("\n", "&#10;"))
 
 
 def _camera(box: Box) -> str:
@@ -105,12 +111,9 @@ def _camera(box: Box) -> str:
     size = math.dist(*box) or 1.0
     rotation = Rotation(Vector(0, 0, 1), 20) * Rotation(Vector(1, 0, 0), 38)  # turn about z, then tilt
     eye = (Vector(*box[0]) + Vector(*box[1])) / 2 + rotation.multVec(Vector(0, 0, size))
-    return ("OrthographicCamera {\n"
-            "  viewportMapping ADJUST_CAMERA\n"
-            f"  position {eye.x:.6g} {eye.y:.6g} {eye.z:.6g}\n"
-            f"  orientation {' '.join(f'{x:.8g}' for x in rotation.Axis)} {rotation.Angle:.8g}\n"
-            f"  nearDistance 0\n  farDistance {2 * size:.6g}\n"
-            f"  aspectRatio 1\n  focalDistance {size:.6g}\n  height {0.85 * size:.6g}\n}}\n")
+    return _CAMERA.format(position=" ".join(f"{x:.6g}" for x in eye), far=2 * size, size=size,
+                          orientation=" ".join(f"{x:.8g}" for x in (*rotation.Axis, rotation.Angle)),
+                          height=0.85 * size)
 
 
 # Drawing the solids of more tiles takes OpenCASCADE's meshing several seconds: the target is shown instead.
@@ -135,31 +138,30 @@ def write_document(results: Results, path: Path) -> dict[str, str]:
         shown = documents.visibility(design, solids=len(results.design.F) <= MOST_SHOWN)
         for name, value in shown.items():
             document.getObject(name).Visibility = value
-        with _binary_shapes(freecad):
+        with _plain_saving(freecad):
             document.FileName, document.Label = str(path), results.title  # saveAs would label it by its file
             document.save()
     finally:
         freecad.closeDocument(document.Name)
-    # As in STEP and 3MF, the target in the colour of its tiles.
-    colours = {name: native.COLOURS[kind] for name, kind in {**KINDS, "Target": "tiles"}.items()}
-    views = [View(name, value, colours.get(name), MESH_FLAT_LINES if name == "Target" else SHADED)
-             for name, value in shown.items()]
     V = results.design.V
-    box = _print_box(results["solids"].model) if shown["Tiles"] else (V.min(axis=0), V.max(axis=0))
-    finish_document(path, views, box)
+    box = _print_box(results["bodies"].model) if shown["Tiles"] else (V.min(axis=0), V.max(axis=0))
+    finish_document(path, shown, box)
     return {"freecad": freecad_session.version(freecad), "occt": part.OCC_VERSION}
 
 
 @contextmanager
-def _binary_shapes(freecad: Any) -> Iterator[None]:
-    """Save shapes in binary: all their bits, in a third less time and space than as text."""
+def _plain_saving(freecad: Any) -> Iterator[None]:
+    """Save shapes in binary: all their bits, in a third less time and space than as text; and without
+    compression, which follows with the views."""
     preferences = freecad.ParamGet("User parameter:BaseApp/Preferences/Document")
-    before = preferences.GetBool("SaveBinaryBrep", False)
+    binary, level = preferences.GetBool("SaveBinaryBrep", False), preferences.GetInt("CompressionLevel", 3)
     preferences.SetBool("SaveBinaryBrep", True)
+    preferences.SetInt("CompressionLevel", 0)
     try:
         yield
     finally:
-        preferences.SetBool("SaveBinaryBrep", before)
+        preferences.SetBool("SaveBinaryBrep", binary)
+        preferences.SetInt("CompressionLevel", level)
 
 
 def _print_box(model: Any) -> Box:

@@ -12,7 +12,7 @@ from ..base.errors import CurveUpsError
 from ..project.project import Results
 from ..stages.cut_request import CutRequest
 from . import properties
-from .proxy import HIDDEN, OUTPUT, READ_ONLY, PartProxy, add, write
+from .proxy import HIDDEN, OUTPUT, READ_ONLY, Proxy, Row, add, write
 from .status import Keys, write_keys
 
 # Property, its type, unit, meaning, place in report.json.
@@ -71,6 +71,13 @@ def write_figures(obj: Any, results: Results, solved: bool) -> None:
             _write_figure(obj, name, 0)
 
 
+def forget_settled(obj: Any) -> None:
+    """Write 0 for the figures of settled forces that are not known."""
+    for name, _, _, _, path in FIGURES:
+        if path.startswith(("settled.", "friction_needed.")):
+            _write_figure(obj, name, 0)
+
+
 def write_volumes(obj: Any, volumes: Mapping[str, float]) -> None:
     """Write the volumes of bodies, mm3 by kind."""
     for kind, name in _VOLUMES.items():
@@ -85,19 +92,17 @@ def _write_figure(obj: Any, name: str, value: Any) -> None:
     write(obj.Verification, name, FreeCAD.Units.Quantity(f"{value!r} {unit}") if unit else value)
 
 
-class CutsProxy(PartProxy):
+class CutsProxy(Proxy):
     """Behaviour of Cuts. Edges are pairs of the Target's vertices; points keep their coordinates, for a
     target that is divided anew."""
 
     TYPE = "CurveUps::Cuts"
 
-    def add_properties(self, obj: Any) -> None:
-        super().add_properties(obj)
-        add(obj, "IntegerList", "Edges", "Cuts",
-            "Pairs of the Target's vertices: edges across which tiles are disconnected. Takes effect with "
-            "Solve.")
-        add(obj, "VectorList", "Points", "Cuts", "Where the edges are, mm: polylines one after another.")
-        add(obj, "IntegerList", "PointCounts", "Cuts", "How many points each polyline has.")
+    PROPERTIES = (
+        ("IntegerList", "Edges", "Cuts", "Pairs of the Target's vertices: edges across which tiles are "
+         "disconnected. Takes effect with Solve.", 0),
+        ("VectorList", "Points", "Cuts", "Where the edges are, mm: polylines one after another.", 0),
+        ("IntegerList", "PointCounts", "Cuts", "How many points each polyline has.", 0))
 
 
 def write_cuts(obj: Any, edges: np.ndarray, V: np.ndarray) -> None:
@@ -131,28 +136,25 @@ def request_of(obj: Any, by_number: bool) -> CutRequest:
     return CutRequest(polylines=tuple(lines), where=obj.Label)
 
 
-# Property, type, tooltip.
-_LAYOUT = (
-    ("Poses", "FloatList", "Flat corners of the tiles, mm: three times x, y for each."),
-    ("Insets", "FloatList",
-     "Insets of the pins, mm: three of the front and three of the back for each tile."),
-    ("Vertices", "VectorList", "The actuated front vertices, mm."),
-    ("Faces", "IntegerList", "Three vertices for each tile."),
-    ("Converged", "Bool", "Whether the optimiser came to its end."),
-    ("Iterations", "Integer", "Steps of the optimiser."),
-    ("Energy", "Float", "Sum of the layout's energies."),
-)
+def _results(group: str, *rows: tuple[str, str, str]) -> tuple[Row, ...]:
+    """Properties that only runs write: type, name, tooltip."""
+    return tuple((kind, name, group, tip, READ_ONLY | OUTPUT) for kind, name, tip in rows)
 
 
-class LayoutProxy(PartProxy):
+class LayoutProxy(Proxy):
     """Behaviour of a Layout."""
 
     TYPE = "CurveUps::Layout"
-
-    def add_properties(self, obj: Any) -> None:
-        super().add_properties(obj)
-        for name, kind, tip in _LAYOUT:
-            add(obj, kind, name, "Layout", tip, READ_ONLY | OUTPUT)
+    PROPERTIES = _results(
+        "Layout",
+        ("FloatList", "Poses", "Flat corners of the tiles, mm: three times x, y for each."),
+        ("FloatList", "Insets",
+         "Insets of the pins, mm: three of the front and three of the back for each tile."),
+        ("VectorList", "Vertices", "The actuated front vertices, mm."),
+        ("IntegerList", "Faces", "Three vertices for each tile."),
+        ("Bool", "Converged", "Whether the optimiser came to its end."),
+        ("Integer", "Iterations", "Steps of the optimiser."),
+        ("Float", "Energy", "Sum of the layout's energies."))
 
 
 def write_layout(obj: Any, results: Mapping[str, Any], design: Any) -> None:
@@ -169,50 +171,49 @@ def write_layout(obj: Any, results: Mapping[str, Any], design: Any) -> None:
         obj.Energy = sum(layout.block["energies"].values())
 
 
-# Property, array of the verification, type, tooltip.
-_LISTS = (
-    ("ContactTiles", "contact_tiles", "IntegerList", "The two tiles of each contact, counted from 0."),
-    ("ContactNormalMin", "contact_normal_min", "FloatList", "Least normal force at a contact's points, N."),
-    ("ContactNormalMean", "contact_normal_mean", "FloatList", "Mean normal force at a contact's points, N."),
-    ("ContactFriction", "contact_friction_ratio", "FloatList",
-     "Friction over normal force that a contact needs."),
-    ("TileNormalForce", "tile_normal_force", "FloatList",
-     "Least normal force at a tile's contact points, N."),
-)
+# Arrays of a verification by the properties that have them.
+_ARRAYS = {"ContactTiles": "contact_tiles", "ContactNormalMin": "contact_normal_min",
+           "ContactNormalMean": "contact_normal_mean", "ContactFriction": "contact_friction_ratio",
+           "TileNormalForce": "tile_normal_force"}
 
 
-class VerificationProxy(PartProxy):
+class VerificationProxy(Proxy):
     """Behaviour of a Verification."""
 
     TYPE = "CurveUps::Verification"
 
+    PROPERTIES = _results(
+        "Verification",
+        ("IntegerList", "ContactTiles", "The two tiles of each contact, counted from 0."),
+        ("FloatList", "ContactNormalMin", "Least normal force at a contact's points, N."),
+        ("FloatList", "ContactNormalMean", "Mean normal force at a contact's points, N."),
+        ("FloatList", "ContactFriction", "Friction over normal force that a contact needs."),
+        ("FloatList", "TileNormalForce", "Least normal force at a tile's contact points, N."),
+        ("IntegerList", "WeakContacts",
+         "Pairs of tiles whose contact is below the least force, counted from 0."))
+
     def add_properties(self, obj: Any) -> None:
         super().add_properties(obj)
-        for name, _, kind, tip in _LISTS:
-            add(obj, kind, name, "Verification", tip, READ_ONLY | OUTPUT)
         add_figures(obj, with_units=True)
-        add(obj, "IntegerList", "WeakContacts", "Verification",
-            "Pairs of tiles whose contact is below the least force, counted from 0.", READ_ONLY | OUTPUT)
 
 
 def write_verification(obj: Any, verification: Optional[Any]) -> None:
     """Write the forces of the stage's result; none without one."""
     arrays = verification.arrays if verification is not None else {}
-    for name, array, _, _ in _LISTS:
+    for name, array in _ARRAYS.items():
         setattr(obj, name, np.ravel(arrays.get(array, ())).tolist())
     weak = verification.weak_contacts if verification is not None else ()
     obj.WeakContacts = [tile for pair in weak for tile in pair]
 
 
-class BodiesProxy(PartProxy):
+class BodiesProxy(Proxy):
     """Behaviour of an object that holds one kind of body of a design."""
 
     TYPE = "CurveUps::Bodies"
 
-    def add_properties(self, obj: Any) -> None:
-        super().add_properties(obj)
-        add(obj, "String", "Kind", "Base", "Which of the design's bodies.", READ_ONLY)
-        add(obj, "String", "Keys", "Base", "What this was built from.", READ_ONLY | HIDDEN | OUTPUT)
+    PROPERTIES = (
+        ("String", "Kind", "Base", "Which of the design's bodies.", READ_ONLY),
+        ("String", "Keys", "Base", "What this was built from.", READ_ONLY | HIDDEN | OUTPUT))
 
 
 def write_body(obj: Any, shape: Any, keys: Keys, placement: Any) -> None:

@@ -157,8 +157,11 @@ def _refuse_wrong(obj: Any, row: Any, name: str, value: Any) -> None:
 
 def shown(row: Any, value: float) -> str:
     """Write a parameter's value in the user's unit schema."""
-    if row.unit in _UNIT_TYPES:
-        import FreeCAD
+    return str(quantity(row, value).UserString) if row.unit in _UNIT_TYPES else f"{value:g}"
 
-        return str(FreeCAD.Units.Quantity(f"{value!r} {UNITS.get(row.unit, row.unit)}").UserString)
-    return f"{value:g}"
+
+def quantity(row: Any, value: float) -> Any:
+    """Make FreeCAD's quantity of a parameter's value."""
+    import FreeCAD
+
+    return FreeCAD.Units.Quantity(f"{value!r} {UNITS.get(row.unit, row.unit)}")

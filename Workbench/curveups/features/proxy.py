@@ -19,11 +19,14 @@ SLOTS = ("Target", "Cuts", "Layout", "Verification", "Tiles", "Support", "Anchor
 attach_view: Optional[Callable[[Any], None]] = None
 build_later: Optional[Callable[[Any, bool], None]] = None
 
+Row = tuple[str, str, str, str, int]  # of a table of properties: as add() takes them
+
 
 class Proxy:
     """Behaviour of a document object. `obj` keeps all data: a proxy can be lost and made again."""
 
     TYPE: ClassVar[str] = ""
+    PROPERTIES: ClassVar[tuple[Row, ...]] = ()
     # FreeCAD restores proxies without __init__, and sets properties one after another: until all are set,
     # they are no edits.
     ready = False
@@ -35,7 +38,11 @@ class Proxy:
         self.ready = True
 
     def add_properties(self, obj: Any) -> None:
-        """Add the properties that `obj` lacks: all of them for a new object."""
+        """Add the properties that `obj` lacks: all of them for a new object. An object below a Design has
+        some that say whether it is up to date, for the tree and for scripts."""
+        add_part_properties(obj, self.TYPE)
+        for row in self.PROPERTIES:
+            add(obj, *row)
 
     def execute(self, obj: Any) -> None:
         """Compute nothing: commands make results."""
@@ -53,13 +60,6 @@ class Proxy:
 
     __getstate__ = dumps
     __setstate__ = loads
-
-
-class PartProxy(Proxy):
-    """An object below a Design. Its properties say whether it is up to date, for the tree and for scripts."""
-
-    def add_properties(self, obj: Any) -> None:
-        add_part_properties(obj, self.TYPE)
 
 
 def add_type(obj: Any, kind: str) -> None:

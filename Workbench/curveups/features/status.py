@@ -86,13 +86,14 @@ _NAMED = Style(properties.named)
 
 @dataclass(frozen=True)
 class Status:
-    """`parts`: (state, reason) by slot; `kit` and `actuation`: those of the fabrication kit and of the path
-    from flat. `to_build`: solids are missing or out of date, and no reason is known why they can't be
-    built."""
+    """`settled`: settled forces are those of the present values. `parts`: (state, reason) by slot; `kit` and
+    `actuation`: those of the fabrication kit and of the path from flat. `to_build`: solids are missing or out
+    of date, and no reason is known why they can't be built."""
 
     state: str
     verdict: str
     holds: str
+    settled: bool
     reasons: tuple[Finding, ...]
     parts: Mapping[str, tuple[str, str]]
     kit: tuple[str, str]
@@ -113,6 +114,8 @@ def refresh(obj: Any) -> Status:
     for name, value in (("Verdict", now.verdict), ("Holds", now.holds), ("Reasons", reasons),
                         ("Status", now.state), ("Kit", _line(now.kit)), ("Actuation", _line(now.actuation))):
         write(obj, name, value)
+        if ("Hidden" in obj.getEditorMode(name)) == bool(value):
+            obj.setEditorMode(name, [] if value else ["Hidden"])
     for slot, (state, reason) in now.parts.items():
         part = getattr(obj, slot)
         if part is not None and {"Status", "Reason"} <= set(part.PropertiesList):
@@ -122,7 +125,8 @@ def refresh(obj: Any) -> Status:
 
 
 def status_of(obj: Any) -> Status:
-    """Compare the properties of a Design with what its results were made from."""
+    """Compare the properties of a Design, edits that wait for a recompute included, with what its results
+    were made from."""
     keys, values = read_keys(obj), properties.values_of(obj)
     solved, wrong = is_solved(keys), _refused(obj)
     source = _source_changes(obj, keys)
@@ -159,11 +163,17 @@ def status_of(obj: Any) -> Status:
     # Any edit leaves open whether the shape holds by settled forces.
     settled = not (layout or judged or wrong) and changes(SETTLED, records, values, ("design",)) == ()
     return Status(
-        RUNNING if obj.Proxy.running else state, verdict, HOLDS[keys.holds if settled else None],
+        RUNNING if obj.Proxy.running else state, verdict, HOLDS[keys.holds if settled else None], settled,
         tuple(reasons), parts, _built(kit, layout),
         _built(None if risen is None else _changed("changed.risen", risen), layout),
         solved and not wrong and not known.failed and any(
             getattr(obj, slot) is not None and changed != [] for slot, changed in bodies.items()))
+
+
+def awaits_settling(obj: Any) -> bool:
+    """True where the verdict is current and settled forces are unknown."""
+    now = status_of(obj)
+    return not now.settled and now.parts["Verification"][0] in (CURRENT, INVALID)
 
 
 def is_solved(keys: Keys) -> bool:
@@ -278,4 +288,5 @@ def _built(changed: Optional[list[Finding]], before: Sequence[Finding] = ()) -> 
 
 
 def _line(part: tuple[str, str]) -> str:
-    return ": ".join(filter(None, part))
+    """State and reason; nothing of what was never made."""
+    return "" if part[0] == EMPTY else ": ".join(filter(None, part))

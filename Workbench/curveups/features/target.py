@@ -14,7 +14,7 @@ from ..base.output import plain_name
 from ..stages.stage import digest
 from ..stages.surface import Source, file_stamp
 from ..targets import cad_files
-from ..targets.cad_files import Read
+from ..targets.cad_files import GoOn, Read
 from ..targets.cad_parts import Choice
 from ..targets.target_files import require_readable
 from .proxy import HIDDEN, OUTPUT, READ_ONLY, add, add_part_properties, type_of, write
@@ -131,11 +131,11 @@ def _stamp_of_object(obj: Any) -> str:
     return digest(*(f"{0.0 if abs(x) < 1e-9 * size else x:.8g}" for x in figures))
 
 
-def _reader(obj: Any) -> Callable[[float, Choice], Read]:
+def _reader(obj: Any) -> Callable[[float, Choice, GoOn], Read]:
     """Return a function that makes triangles of the object as it is now, on any thread: it has a copy."""
     label = obj.Label
     if hasattr(obj, "Mesh"):
         mesh = obj.Mesh.copy()
-        return lambda deflection, choice: Read(*cad_files.triangles_of_mesh(mesh))
+        return lambda *_: Read(*cad_files.triangles_of_mesh(mesh))
     shape = obj.Shape.copy()
-    return lambda deflection, choice: cad_files.surface_of_shape(shape, deflection, choice, label)
+    return lambda deflection, choice, go_on: cad_files.read_shape(shape, deflection, go_on, choice, label)

@@ -57,7 +57,7 @@ class Beds:
                 "anchors_left_out": self.left_out,
                 "beds": [{"parts": [part + 1 for part in places],
                           "bbox_mm": [float(x) for x in self.bed(number).bbox],
-                          "bodies": sum(len(self.bed(number).piece_of_bodies(kind)) for kind in KINDS)}
+                          "bodies": self.bed(number).body_count}
                          for number, places in enumerate(self.places)]}
 
 
@@ -132,8 +132,8 @@ def _fewer_anchors(design: Any, model: Any, bed: Sequence[float], shapes: Any, a
     on_one = fewer and _on_one(fewer, bed)
     if not on_one:
         return None
-    anchors = model.piece_of_bodies("anchors")
-    return Beds(fewer, on_one, left_out=len(anchors) - len(fewer.piece_of_bodies("anchors")))
+    anchors = model.bodies("anchors")
+    return Beds(fewer, on_one, left_out=len(anchors) - len(fewer.bodies("anchors")))
 
 
 def _cut(design: Any, model: Any, printer: Mapping[str, Any], shapes: Any, asked: Asked) -> Optional[Beds]:
@@ -229,7 +229,7 @@ def _points(model: Any) -> dict[int, np.ndarray]:
     for kind in KINDS:
         if model.volumes[kind] > 0:
             points, faces, body = model.mesh(kind)
-            piece = np.asarray(model.piece_of_bodies(kind))[body]
+            piece = np.array([printed.piece for printed in model.bodies(kind)])[body]
             for number in np.unique(piece):
                 points_of.setdefault(int(number), []).append(points[np.unique(faces[piece == number])][:, :2])
     return {piece: np.concatenate(parts) for piece, parts in sorted(points_of.items())}

@@ -223,7 +223,7 @@ def _page(design: Any, comparison: dict[str, Any]) -> str:
         for tile in comparison["tiles"]:
             values[int(tile["tile"][1:]) - 1] = tile["median_mm"]
         picture = Picture("", "Median deviation of each tile, on the flat layout. Tiles without colour have "
-                          "no points.", "flat",
+                          "no points.", "pictures.flat_layout",
                           {"design": design, "values": values, "label": "median deviation, mm"})
     rows = [(html.words(name[:-3]) + ", mm", f"{value:.4f}", *(block.get(name) for block in expected))
             for name, value in comparison["deviation"].items()]

@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import io
 from dataclasses import dataclass, field
-from functools import lru_cache
 from typing import Any, Callable, Iterator, Sequence
 
 import ezdxf
@@ -15,8 +14,9 @@ from ezdxf.math import Vec2
 from matplotlib.backends.backend_pdf import PdfPages
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
-from matplotlib.font_manager import FontProperties, findfont, get_font
+from matplotlib.font_manager import FontProperties
 from matplotlib.patches import Circle
+from matplotlib.textpath import text_to_path
 
 from ..base.language import ENGLISH, Language
 from ..report import pictures  # noqa: F401 (sets matplotlib up for work without a display)
@@ -277,16 +277,9 @@ def wrapped(text: str, room: float, size: float) -> list[str]:
 
 
 def _width(text: str, size: float) -> float:
-    """mm. Pairs that the font sets closer (kerning) are taken as any."""
-    return sum(map(_advance, text)) * size / POINT
-
-
-@lru_cache(maxsize=None)
-def _advance(letter: str) -> float:
-    """How far the next letter begins, in parts of the font's size."""
-    font = get_font(findfont(FontProperties()))
-    font.set_size(100, 72)
-    return float(font.load_char(ord(letter)).linearHoriAdvance) / 65536 / 100
+    """Width of words in letters of this size, mm."""
+    font = FontProperties(size=size)
+    return float(text_to_path.get_text_width_height_descent(text, font, False)[0]) / POINT
 
 
 def draw(axes: Any, drawing: Drawing, scale: float = 1.0) -> None:

@@ -22,7 +22,7 @@ from ..report.data import build_report, to_text
 from ..report.exports import Choice, File, doubtful, file_names, plain, run_under
 from ..report.files import keep_design
 from ..report.shop import has_bridges, latex, quote, rules
-from ..stages import asked_by
+from ..stages import stages_of
 from ..stages.solids import amounts
 from ..stages.stage import Job
 from .beds import bed_name
@@ -50,7 +50,7 @@ class Order:
 
 def goals() -> tuple[str, ...]:
     """The stages whose results a kit is made from."""
-    return ("figures", *asked_by("verify"), *asked_by("print"), "anchoring")
+    return ("figures", *stages_of("verify"), *stages_of("print"), "anchoring")
 
 
 def make(project: Project, job: Job) -> Results:
@@ -81,7 +81,7 @@ def write_kit(results: Results, path: Path, job: Job, order: Order = Order()) ->
     """Writes all files of a kit; True if that was stopped. kit.json is removed first and written last: what
     it does not list, this run did not write."""
     design = native.write_design(results.design.with_name(plain(results)))
-    names = print_names(results.name, results.parameters, results["solids"].kinds, order)
+    names = print_names(results.name, results.parameters, results["bodies"].kinds, order)
     report = build_report(results, results.rows(), False, {}, {})
 
     def named(file: File) -> str:

@@ -73,8 +73,8 @@ class Former:
         none are slivers but for the largest part."""
         from scipy.ndimage import label  # which other commands would pay
 
-        there = np.isfinite(self.heights)
-        parts, _ = label(there[:-1, :-1] & there[1:, :-1] & there[:-1, 1:] & there[1:, 1:])
+        covered = np.isfinite(self.heights)
+        parts, _ = label(covered[:-1, :-1] & covered[1:, :-1] & covered[:-1, 1:] & covered[1:, 1:])
         counts = np.bincount(parts.ravel())[1:]
         large = counts >= min(LEAST_AREA / self.step**2, counts.max(initial=0))
         kept = np.concatenate([[False], large])[parts]

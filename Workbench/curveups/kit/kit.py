@@ -84,7 +84,7 @@ class Kit:
     @property
     def model(self) -> Any:
         """The native PrintModel."""
-        return self.results["solids"].model
+        return self.results["bodies"].model
 
     @property
     def prints(self) -> list[Any]:

@@ -185,11 +185,11 @@ def frame(kit: Kit) -> Drawing:
     assert kit.beds is not None
     pockets = [_grown(np.asarray(loops[0]), FIT) for loops in kit.model.outlines]
     model = kit.beds.model
-    parts = [(f"{part + 1}", [np.asarray(loops[0])])
-             for part, loops in zip(model.piece_of_bodies("support"), model.outlines)]
+    parts = [(f"{slab.piece + 1}", [np.asarray(loops[0])])
+             for slab, loops in zip(model.bodies("support"), model.outlines)]
     if not parts:
-        bodies = [(part, outline) for kind in ("tiles", "anchors") if model.volumes[kind]
-                  for part, outline in zip(model.piece_of_bodies(kind), outlines_of(model, kind))]
+        bodies = [(body.piece, outline) for kind in ("tiles", "anchors") if model.volumes[kind]
+                  for body, outline in zip(model.bodies(kind), outlines_of(model, kind))]
         parts = [(f"{part + 1}", [outline for other, outline in bodies if other == part])
                  for part in sorted({part for part, _ in bodies})]
     lines = [*pockets, *(line for _, outlines in parts for line in outlines)]

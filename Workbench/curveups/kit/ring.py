@@ -70,13 +70,13 @@ def _cut(block: Mapping[str, Any], side: str, *counts: int) -> Optional[list[lis
     """Places of cuts along x and y for so many parts; none where a corner would be cut."""
     pitch, width = block["tooth_pitch_mm"], frame_width(block)
     first = width + (pitch / 2 if side == "front" else pitch)
-    found = []
+    cuts_along = []
     for size, count in zip(outer_size(block), counts):
         places = [first + pitch * round((size * k / count - first) / pitch) for k in range(1, count)]
         if any(place < width + WALL or place + TONGUE > size - width for place in places):
             return None
-        found.append(places)
-    return found
+        cuts_along.append(places)
+    return cuts_along
 
 
 def _fits(places: Sequence[Sequence[float]], outer: Sequence[float], bed: Sequence[float]) -> bool:

@@ -7,6 +7,7 @@ Works on records of results, without the results and the native module, for docu
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from types import SimpleNamespace
 from typing import Any, Collection, Iterable, Mapping, Optional
 
 from ..stages import BY_NAME
@@ -18,14 +19,15 @@ Values = Any             # parameters: an object with get(name)
 
 @dataclass(frozen=True)
 class Record:
-    """A result's key and digest without the result. fixes: parameters that it fixes for later stages."""
+    """A result's key and digest without the result (else project.Made). fixes: parameters that it fixes for
+    later stages."""
 
     key: Key = field(default_factory=dict)
     content: str = ""
     fixes: Mapping[str, Any] = field(default_factory=dict)
 
 
-Records = Mapping[str, Record]
+Records = Mapping[str, Any]  # of Record or project.Made
 
 
 def fixed_parameters(names: Iterable[str], records: Records) -> dict[str, Any]:
@@ -41,13 +43,14 @@ def fixed_parameters(names: Iterable[str], records: Records) -> dict[str, Any]:
 
 def key_of(stage: Stage, records: Records, values: Values) -> dict[str, str]:
     """Key of a result of the stage if it were made now."""
-    known = _Over(fixed_parameters(stage.reads, records), values)
+    fixed = fixed_parameters(stage.reads, records)
+    known = SimpleNamespace(get=lambda name: fixed[name] if name in fixed else values.get(name))
     key = {name: repr(known.get(name)) for name in stage.parameters(known)}
     key.update({name: records[name].content for name in stage.reads})
     return key
 
 
-def differences(record: Record, expected: Key) -> list[str]:
+def differences(record: Any, expected: Key) -> list[str]:
     """Names in `expected` that differ from the result's key. Values that the result itself fixed are equal,
     and so are numbers that lost their last digits in a document."""
     return [name for name, part in expected.items()
@@ -60,25 +63,21 @@ def changes(name: str, records: Records, values: Values,
     """Names of parameters and results that changed since the result of a stage was made; empty where it is
     current, None where there is no result. given: results that are not made."""
     changed: dict[str, None] = {}
-    if not _compare(name, records, values, given, changed):
+
+    def compare(name: str) -> bool:
+        if name not in records or name in given:
+            return name in records
+        stage = BY_NAME[name]
+        if not all(map(compare, stage.reads)):
+            return False
+        changed.update(dict.fromkeys(differences(records[name], key_of(stage, records, values))))
+        return True
+
+    if not compare(name):
         return None
     fixed = fixed_parameters((name,), records)  # the target fixes L after the surface was read for another
     return tuple(part for part in changed
                  if part not in fixed or not _same(repr(fixed[part]), repr(values.get(part))))
-
-
-def _compare(name: str, records: Records, values: Values, given: Collection[str],
-             changed: dict[str, None]) -> bool:
-    record = records.get(name)
-    if record is None:
-        return False
-    if name in given:
-        return True
-    stage = BY_NAME[name]
-    if not all(_compare(upstream, records, values, given, changed) for upstream in stage.reads):
-        return False
-    changed.update(dict.fromkeys(differences(record, key_of(stage, records, values))))
-    return True
 
 
 def _same(a: Optional[str], b: str) -> bool:
@@ -89,13 +88,3 @@ def _same(a: Optional[str], b: str) -> bool:
     except ValueError:
         return False
     return abs(x - y) <= 1e-12 * max(abs(x), abs(y))
-
-
-class _Over:
-    """Values, except those that results have fixed."""
-
-    def __init__(self, fixed: Mapping[str, Any], values: Values):
-        self._fixed, self._values = fixed, values
-
-    def get(self, name: str) -> Any:
-        return self._fixed[name] if name in self._fixed else self._values.get(name)

@@ -21,7 +21,7 @@ from ..base.parameters import with_values
 from ..stages import BY_NAME, SETTLED, VERDICT
 from ..stages.design import FinishedDesign
 from ..stages.stage import Inputs, Job, Picture, Result, Row, Stage, digest
-from .keys import Key, Record, Records, changes, differences, fixed_parameters, key_of
+from .keys import Key, Record, changes, differences, fixed_parameters, key_of
 
 HOLDS = {True: "holds", False: "does not hold", None: "not settled"}
 
@@ -68,15 +68,20 @@ class Made:
     key: Key = field(default_factory=dict)
     seconds: float = 0.0
 
-    @property
+    @cached_property
     def content(self) -> str:
         """Digest by which later stages know it."""
         return self.result.content or digest(*(f"{name}={value}" for name, value in sorted(self.key.items())))
 
     @cached_property
+    def fixes(self) -> Mapping[str, Any]:
+        """Parameters that it fixes for later stages."""
+        return self.result.fixes()
+
+    @property
     def record(self) -> Record:
-        """Record for keys.py."""
-        return Record(self.key, self.content, self.result.fixes())
+        """Record without the result, for documents."""
+        return Record(self.key, self.content, self.fixes)
 
 
 @dataclass(frozen=True)
@@ -139,9 +144,10 @@ class Project:
     def __init__(self, name: str, parameters: Any, given: Mapping[str, Result], where: str = "",
                  known: Mapping[str, Made] | None = None):
         self.name, self.where = name, where
-        self._given = {key: Made(result) for key, result in given.items()}
-        self._made: dict[str, Made] = dict(known or {})
-        self._reading, self._working = threading.Lock(), threading.RLock()
+        # Both are replaced whole, never changed: other threads may read them at any time.
+        self._given: Mapping[str, Made] = {key: Made(result) for key, result in given.items()}
+        self._made: Mapping[str, Made] = dict(known or {})
+        self._working = threading.RLock()
         self._parameters = self._checked(parameters)
 
     @classmethod
@@ -156,55 +162,47 @@ class Project:
 
     @parameters.setter
     def parameters(self, parameters: Any) -> None:
-        checked = self._checked(parameters)
-        with self._reading:
-            self._parameters = checked
+        self._parameters = self._checked(parameters)
 
     def give(self, name: str, result: Result) -> None:
         """Replaces a given result."""
-        with self._reading:
-            self._given[name] = Made(result)
+        self._given = {**self._given, name: Made(result)}
 
     def copy(self) -> "Project":
         """Project with the same inputs and results. Its runs do not change this one."""
-        with self._reading:
-            twin = Project(self.name, self._parameters, {}, self.where, self._made)
-            twin._given = dict(self._given)
+        twin = Project(self.name, self._parameters, {}, self.where, self._made)
+        twin._given = self._given
         return twin
 
     def forget_stopped(self) -> None:
         """Drops results of stopped work, so that they are made anew."""
-        with self._reading:
-            self._made = {name: made for name, made in self._made.items() if not made.result.stopped}
+        self._made = {name: made for name, made in self._made.items() if not made.result.stopped}
 
-    def given(self) -> dict[str, Made]:
-        """Given results."""
-        with self._reading:
-            return dict(self._given)
+    def forget(self, name: str) -> None:
+        """Drops the result of a stage, so that it is made anew."""
+        self._made = {other: made for other, made in self._made.items() if other != name}
 
     def forget_out_of_date(self) -> None:
         """Drops results whose inputs have changed."""
-        kept = {name: made for name, made in self.made().items() if self.out_of_date(name) == ()}
-        with self._reading:
-            self._made = kept
+        self._made = {name: made for name, made in self._made.items() if self.out_of_date(name) == ()}
 
-    def made(self) -> dict[str, Made]:
+    def given(self) -> Mapping[str, Made]:
+        """Given results."""
+        return self._given
+
+    def made(self) -> Mapping[str, Made]:
         """All results, out of date or not, to be saved or `known` to other projects."""
-        with self._reading:
-            return dict(self._made)
+        return self._made
 
     def latest(self, name: str) -> Any:
         """Last result of a stage, out of date or not; or None."""
-        with self._reading:
-            made = self._given.get(name) or self._made.get(name)
+        made = self._given.get(name) or self._made.get(name)
         return made.result if made else None
 
     def out_of_date(self, name: str) -> Optional[tuple[str, ...]]:
         """Names of changed inputs of a result (keys.changes); empty where it is current, None without it."""
-        with self._reading:
-            known = {**self._made, **self._given}
-            parameters = self._parameters
-        return changes(name, _records(known), parameters, self._given)
+        given = self._given
+        return changes(name, {**self._made, **given}, self._parameters, given)
 
     def run(self, goals: Sequence[str], job: Optional[Job] = None, strict: bool = False,
             note: Optional[Finding] = None) -> Results:
@@ -213,18 +211,16 @@ class Project:
         A stage that fails or is stopped ends in its result for that (Stage.on_failure, on_stop), if any.
         strict: failures are raised. Raises CurveUpsError, and Stopped without a result.
         """
-        job = job or Job()
         with self._working:
-            with self._reading:
-                run = _Run(self.name, self._parameters, dict(self._given), dict(self._made),
-                           self.where, job, strict, note)
+            run = _Run(self._parameters, dict(self._given), self._made, self.where, job or Job(), strict)
             try:
                 for goal in goals:
                     run.make(goal)
             finally:
-                with self._reading:
-                    self._made.update(run.lasting)
-        return run.results()
+                self._made = {**self._made, **run.lasting}
+        made = {name: run.made[name] for name in (*self._given, *BY_NAME) if name in run.made}
+        stopped = run.job.stopped or any(item.result.stopped for item in made.values())
+        return Results(self.name, run.decided(made), made, note, stopped)
 
     def _checked(self, parameters: Any) -> Any:
         values = native.Parameters(parameters)
@@ -235,46 +231,38 @@ class Project:
         return values
 
 
-def _records(made: Mapping[str, Made]) -> Records:
-    return {name: item.record for name, item in made.items()}
-
-
-def _decided(names: Iterable[str], records: Records, parameters: Any) -> Any:
-    """Parameters for readers of these results: the project's, except those fixed by the results and their
-    inputs."""
-    return with_values(parameters, fixed_parameters(names, records))
-
-
+@dataclass
 class _Run:
-    """State of a run; the project gets its results at the end."""
+    """State of a run; the project gets its results at the end. before: of earlier runs."""
 
-    def __init__(self, name: str, parameters: Any, given: dict[str, Made], made: dict[str, Made],
-                 where: str, job: Job, strict: bool, note: Optional[Finding]):
-        self.name, self.parameters, self.given, self.before = name, parameters, given, made
-        self.where, self.job, self.strict = where, job, strict
-        self.note = note
-        self.made: dict[str, Made] = dict(given)
-        self.records: dict[str, Record] = dict(_records(given))
-        self.lasting: dict[str, Made] = {}  # results that the project keeps
+    parameters: Any
+    made: dict[str, Made]
+    before: Mapping[str, Made]
+    where: str
+    job: Job
+    strict: bool
+    lasting: dict[str, Made] = field(default_factory=dict)  # results that the project keeps
 
-    def make(self, name: str) -> Made:
+    def make(self, name: str) -> None:
         if name in self.made:
-            return self.made[name]
+            return
         if name not in BY_NAME:
             raise CurveUpsError(f"there is no {name} to start from", self.where, "give a target")
         stage = BY_NAME[name]
         for upstream in stage.reads:
             self.make(upstream)
-        key = key_of(stage, self.records, self.parameters)
+        key = key_of(stage, self.made, self.parameters)
         known = self.before.get(name)
-        made = known if known is not None and not differences(known.record, key) else self._work(stage, key)
-        self.made[name] = made
-        self.records[name] = made.record
-        return made
+        self.made[name] = known if known and not differences(known, key) else self._work(stage, key)
+
+    def decided(self, names: Iterable[str]) -> Any:
+        """Parameters for readers of these results: the project's, except those fixed by the results and their
+        inputs."""
+        return with_values(self.parameters, fixed_parameters(names, self.made))
 
     def _work(self, stage: Stage, key: Key) -> Made:
-        inputs = Inputs(_decided(stage.reads, self.records, self.parameters),
-                        {name: self.made[name].result for name in stage.reads}, self.where)
+        inputs = Inputs(self.decided(stage.reads), {name: self.made[name].result for name in stage.reads},
+                        self.where)
         start = time.perf_counter()
         try:
             with translated(self.where):
@@ -292,12 +280,5 @@ class _Run:
             if stage.on_failure is None or self.strict:
                 raise
             return Made(stage.on_failure(error, inputs), key, time.perf_counter() - start)
-        made = Made(result, key, time.perf_counter() - start)
-        self.lasting[stage.name] = made
+        made = self.lasting[stage.name] = Made(result, key, time.perf_counter() - start)
         return made
-
-    def results(self) -> Results:
-        """All results, with their parameters."""
-        made = {name: self.made[name] for name in (*self.given, *BY_NAME) if name in self.made}
-        stopped = self.job.stopped or any(item.result.stopped for item in made.values())
-        return Results(self.name, _decided(made, _records(made), self.parameters), made, self.note, stopped)

@@ -24,11 +24,36 @@ FORMAT, VERSION = "curveups-results", 1
 def to_text(made: Mapping[str, Made], without: Collection[str] = ()) -> str:
     """Text of all lasting results. without: names of fields to leave out (pictures of membranes are most of a
     verification)."""
-    writer = _Writer(without)
-    results = {name: {"key": dict(item.key), "seconds": item.seconds,
-                      "result": writer.encode(item.result)}
+    shared: list[Any] = []  # arrays, designs and values, each once; indices stand for them elsewhere
+    places: dict[Hashable, int] = {}
+
+    def share(key: Hashable, encoded: Callable[[], Any]) -> dict[str, int]:
+        if key not in places:
+            shared.append(encoded())
+            places[key] = len(shared) - 1
+        return {"shared": places[key]}
+
+    def encode(value: Any) -> Any:
+        if isinstance(value, Value):
+            return share(id(value), lambda: {"value": type(value).__name__, "fields": {
+                field.name: encode(getattr(value, field.name)) for field in dataclasses.fields(value)
+                if field.name not in without and not field.metadata.get("transient")}})
+        if isinstance(value, native.Design):
+            text = native.write_design(value)
+            return share(text, lambda: {"design": text})
+        if isinstance(value, np.ndarray):
+            data = np.ascontiguousarray(value).tobytes()
+            return share(digest(value), lambda: {"array": base64.b64encode(data).decode("ascii"),
+                                                 "type": value.dtype.str, "shape": value.shape})
+        if isinstance(value, Mapping):
+            return {"map": {str(key): encode(item) for key, item in value.items()}}
+        if isinstance(value, (list, tuple)):
+            return [encode(item) for item in value]
+        return value.item() if isinstance(value, np.generic) else value
+
+    results = {name: {"key": dict(item.key), "seconds": item.seconds, "result": encode(item.result)}
                for name, item in made.items() if item.result.lasting}
-    return json.dumps({"format": FORMAT, "version": VERSION, "shared": writer.shared, "results": results})
+    return json.dumps({"format": FORMAT, "version": VERSION, "shared": shared, "results": results})
 
 
 def from_text(text: str, where: str = "") -> dict[str, Made]:
@@ -46,41 +71,6 @@ def from_text(text: str, where: str = "") -> dict[str, Made]:
     except (ValueError, TypeError, LookupError, AttributeError, RecursionError, binascii.Error) as error:
         raise CurveUpsError(f"the saved results can't be read: {error}", where,
                             "solve the design again") from None
-
-
-class _Writer:
-    """Collects arrays, designs and values in `shared`, each once, and replaces them by their indices."""
-
-    def __init__(self, without: Collection[str]):
-        self.shared: list[Any] = []
-        self._without = frozenset(without)
-        self._places: dict[Hashable, int] = {}
-
-    def encode(self, value: Any) -> Any:
-        if isinstance(value, Value):
-            return self._share(id(value), lambda: {"value": type(value).__name__, "fields": {
-                field.name: self.encode(getattr(value, field.name))
-                for field in dataclasses.fields(value)
-                if field.name not in self._without and not field.metadata.get("transient")}})
-        if isinstance(value, native.Design):
-            text = native.write_design(value)
-            return self._share(text, lambda: {"design": text})
-        if isinstance(value, np.ndarray):
-            data = np.ascontiguousarray(value).tobytes()
-            return self._share(digest(value), lambda: {
-                "array": base64.b64encode(data).decode("ascii"), "type": value.dtype.str,
-                "shape": value.shape})
-        if isinstance(value, Mapping):
-            return {"map": {str(key): self.encode(item) for key, item in value.items()}}
-        if isinstance(value, (list, tuple)):
-            return [self.encode(item) for item in value]
-        return value.item() if isinstance(value, np.generic) else value
-
-    def _share(self, key: Hashable, encoded: Callable[[], Any]) -> dict[str, int]:
-        if key not in self._places:
-            self.shared.append(encoded())
-            self._places[key] = len(self.shared) - 1
-        return {"shared": self._places[key]}
 
 
 def _decode(value: Any, shared: Sequence[Any]) -> Any:

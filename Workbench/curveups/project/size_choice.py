@@ -25,34 +25,18 @@ GOALS = ("clearances", "verification", "pieces")
 
 
 @dataclass(frozen=True)
-class Tried:
-    """Values of parameters, mm, and why they fail; no reason: the design is valid, or lies flat without
-    verification."""
-
-    values: Mapping[str, float]
-    why: tuple[Finding, ...] = ()
-
-    @property
-    def finding(self) -> Finding:
-        sizes = tuple(Finding.about(_SENTENCES[name], value=value) for name, value in self.values.items())
-        if self.why:
-            return Finding.about("tried.not_valid", sizes=sizes, why=self.why)
-        return Finding.about("tried.valid", sizes=sizes)
-
-
-@dataclass(frozen=True)
 class SizeChoice:
-    """project: with the chosen values and their results. tried: in order. Chosen are the last values where
-    their design is valid, else the first ones with a design."""
+    """project: with the chosen values and their results. tried: findings of all values tried, in order.
+    Chosen are the last values where their design is valid, else the first ones with a design."""
 
     project: Project
     values: Mapping[str, float]
     valid: bool
-    tried: tuple[Tried, ...] = ()
+    tried: tuple[Finding, ...] = ()
 
     def findings(self) -> list[Finding]:
         """Warnings that list the sizes tried, and say where none is valid."""
-        return [*(tried.finding for tried in self.tried), *(() if self.valid else (Finding("tried.none"),))]
+        return [*self.tried, *(() if self.valid else (Finding("tried.none"),))]
 
 
 def choose(project: Project, names: Collection[str], job: Job) -> SizeChoice:
@@ -76,17 +60,22 @@ def choose(project: Project, names: Collection[str], job: Job) -> SizeChoice:
         if L is not None:
             search.thickness(L, {"L": L})
     if search.chosen is None:
-        tried = "; ".join(str(item.finding) for item in search.tried)
+        tried = "; ".join(map(str, filter(None, (*search.tried, search.sharpest))))
         raise CurveUpsError(f"no size was found that works: {tried}", project.where,
                             "raise maximum_deviation, or see 'curveups check'")
     return replace(search.chosen, tried=tuple(search.tried))
 
 
+def _named(values: Mapping[str, float]) -> tuple[Finding, ...]:
+    return tuple(Finding.about(_SENTENCES[name], value=value) for name, value in values.items())
+
+
 class _Search:
     def __init__(self, project: Project, job: Job):
         self._project, self._job = project, job
-        self.tried: list[Tried] = []
+        self.tried: list[Finding] = []
         self.chosen: Optional[SizeChoice] = None  # a valid one, or the first with a design
+        self.sharpest: Optional[Finding] = None   # fold, at the first sizes that one blocks
 
     def thickness(self, L: float, values: Mapping[str, float]) -> None:
         """Solves for the thicknesses of this length until a design is valid. values: other parameters."""
@@ -103,17 +92,18 @@ class _Search:
         L = min(most, length_of(LEAST_TILES, target))
         if target.chord_error > 0:  # it grows with the square of the length
             L = min(L, self._project.parameters.get("L") * math.sqrt(most_far / target.chord_error))
-        least = max(least, length_of(MOST_TILES, target))
+        least = rounded(max(least, length_of(MOST_TILES, target)))
         for _ in range(MOST_TRIED):
-            L = rounded(max(L, least))
-            error = self._chord_error(L)
+            L = max(rounded(L), least)
+            error, shorter = self._chord_error(L), SHORTER
             if error > most_far:
-                self.tried.append(Tried({"L": L}, (Finding.about("tried.far", distance=error),)))
-                L *= max(0.5, min(SHORTER, math.sqrt(most_far / error)))
+                self._refuse({"L": L}, Finding.about("tried.far", distance=error))
+                shorter = max(0.5, min(SHORTER, math.sqrt(most_far / error)))
             elif works(L):
                 return L
-            else:
-                L *= SHORTER
+            if L == least:
+                break
+            L *= shorter
         return None
 
     def _chord_error(self, L: float) -> float:
@@ -122,6 +112,9 @@ class _Search:
             return float(self._with({"L": L}).run(("target",), self._job)["target"].chord_error)
         except CurveUpsError:
             return math.inf
+
+    def _refuse(self, values: Mapping[str, float], *why: Finding) -> None:
+        self.tried.append(Finding.about("tried.not_valid", sizes=_named(values), why=why))
 
     def _with(self, values: Mapping[str, float]) -> Project:
         named = ", ".join(f"{name} = {value:g} mm" for name, value in values.items())
@@ -136,37 +129,36 @@ class _Search:
             twin = self._with(values)
             feasibility = twin.run(("feasibility",), self._job)["feasibility"]
         except CurveUpsError as error:
-            self.tried.append(Tried(values, (failed("tried.error", error),)))
+            self._refuse(values, failed("tried.error", error))
             return None
         if unhindered(feasibility):
             return twin
         tiles = {obstacle.tile for obstacle in feasibility.blocked}
-        self.tried.append(Tried(values, (Finding.about("tried.blocked", tiles, count=len(tiles),
-                                                       of=len(feasibility.F)),)))
+        self.sharpest = self.sharpest or feasibility.sharpest
+        self._refuse(values, Finding.about("tried.blocked", tiles, count=len(tiles), of=len(feasibility.F)))
         return None
 
-    def _open(self, twin: Project) -> None:
-        """Makes suggested cuts, if requested, where a surface is closed."""
-        request, feasibility = twin.latest("cut request"), twin.latest("feasibility")
-        if request.suggested and any(obstacle.obstacle == "closed" for obstacle in feasibility.blocked):
-            twin.give("cut request", request.accept(twin.run(("cut search",), self._job)["cut search"]))
-
     def solve(self, values: Mapping[str, float]) -> bool:
-        """Makes and verifies a design with these values, and returns whether it is valid, or not known to be
-        invalid without verification."""
+        """Makes and verifies a design with these values, and with suggested cuts, if requested, where the
+        surface is closed. Returns whether it is valid, or not known to be invalid without verification."""
         twin = self.clear(values)
         if twin is None:
             return False
         try:
-            self._open(twin)
+            request, blocked = twin.latest("cut request"), twin.latest("feasibility").blocked
+            if request.suggested and any(obstacle.obstacle == "closed" for obstacle in blocked):
+                twin.give("cut request", request.accept(twin.run(("cut search",), self._job)["cut search"]))
             results = twin.run(GOALS, Job(self._job))  # without listener of iterates
         except CurveUpsError as error:
-            self.tried.append(Tried(values, (failed("tried.error", error),)))
+            self._refuse(values, failed("tried.error", error))
             return False
         if results.stopped:
             raise Stopped
-        valid, why = results.verdict.valid is not False, results.verdict.reasons[:1]
-        self.tried.append(Tried(values, () if valid else why))
+        valid = results.verdict.valid is not False
+        if valid:
+            self.tried.append(Finding.about("tried.valid", sizes=_named(values)))
+        else:
+            self._refuse(values, *results.verdict.reasons[:1])
         if valid or self.chosen is None:
             self.chosen = SizeChoice(twin, values, valid)
         return valid

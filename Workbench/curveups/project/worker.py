@@ -53,34 +53,29 @@ OnDone = Callable[[Outcome], object]
 
 
 class _Run(threading.Thread):
-    """Thread of one piece of work."""
+    """Thread of one piece of work. turn: held by the thread that works, as a cancelled native call may still
+    be ending."""
 
-    def __init__(self, work: Work, on_done: OnDone, before: Optional["_Run"]):
+    def __init__(self, work: Work, on_done: OnDone, turn: threading.Lock):
         super().__init__(name="CurveUps", daemon=True)
         self.on_done = on_done
         self.cancelled = False
         self.outcome: Optional[Outcome] = None
         self.job = Job(self._progress, self._listen)
-        self._work, self._before = work, before
+        self._work, self._turn = work, turn
         self._began, self._ended = time.perf_counter(), 0.0
         self._said = ("", "", -1.0)  # stage, what, fraction
         self._iterate: Optional[Iterate] = None
         self._count = 0
 
     def run(self) -> None:
-        if self._before is not None:  # its cancelled native call may still be ending
-            self._before.join()
-            self._before = None
         try:
-            with translated():
+            with self._turn, translated():
                 outcome = Outcome(self._work(self.job))
         except Stopped:
             outcome = Outcome()
         except Exception as error:
             outcome = Outcome(error=error)
-        except BaseException as error:  # nobody else observes the thread
-            unexpected = f"unexpected {type(error).__name__}"
-            outcome = Outcome(error=CurveUpsError(unexpected, "", "please report it"))
         # The job refers to this thread: without the cycle, results are freed at once, without a long pause.
         self.job.progress = self.job.listen = None
         del self._work
@@ -103,15 +98,13 @@ class _Run(threading.Thread):
         self._count += 1
 
 
-_COLLECTING: set["Worker"] = set()  # workers with a thread: while there are any, gc is disabled
-
-
 class Worker:
     """Does one piece of work at a time. Its methods belong to the window's thread and return at once."""
 
     def __init__(self) -> None:
         self._current: Optional[_Run] = None
-        self._last: Optional[_Run] = None  # may still be ending
+        self._last: Optional[_Run] = None  # may still be ending; gc is disabled until it has ended
+        self._turn = threading.Lock()
         self._status = Status()
 
     @property
@@ -122,7 +115,7 @@ class Worker:
     @property
     def idle(self) -> bool:
         """True where poll has nothing to do."""
-        return not self.busy and self not in _COLLECTING
+        return self._last is None
 
     def start(self, project: Project, goals: Sequence[str], on_done: OnDone) -> None:
         """Makes the goals on a copy of the project, which cancelling leaves unchanged. on_done gets an
@@ -133,10 +126,8 @@ class Worker:
         """Runs work(job). Raises CurveUpsError while there is other work."""
         if self._current is not None:
             raise CurveUpsError("CurveUps is at work already", "", "stop or cancel that first")
-        before = self._last if self._is_alive() else None
         gc.disable()
-        _COLLECTING.add(self)
-        self._current = self._last = _Run(work, on_done, before)
+        self._current = self._last = _Run(work, on_done, self._turn)
         self._current.start()
 
     def stop(self) -> None:
@@ -172,19 +163,15 @@ class Worker:
         """Waits until no thread runs, and returns whether that is so. Does not call on_done."""
         if self._last is not None:
             self._last.join(seconds)
-        return not self._is_alive()
-
-    def _is_alive(self) -> bool:
-        return self._last is not None and self._last.is_alive()
+        return self._last is None or not self._last.is_alive()
 
     def _collect(self) -> None:
         """Collects garbage while a thread runs, as Python would; enables gc after the last."""
-        if self not in _COLLECTING:
+        if self._last is None:
             return
-        if self._current is None and not self._is_alive():
-            _COLLECTING.discard(self)
-            if not _COLLECTING:
-                gc.enable()
+        if self._current is None and not self._last.is_alive():
+            self._last = None
+            gc.enable()
             return
         full = [generation for generation, (count, most) in enumerate(zip(gc.get_count(), gc.get_threshold()))
                 if count > most > 0]

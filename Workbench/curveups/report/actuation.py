@@ -11,8 +11,6 @@ from pathlib import Path
 from typing import Any, Iterator
 
 import numpy as np
-from markupsafe import Markup
-
 from .. import __version__
 from ..base.errors import Stopped
 from ..base.native import native
@@ -32,7 +30,7 @@ def front_corners(design: Any, rows: np.ndarray) -> np.ndarray:
     return moved(np.asarray(design.V)[np.asarray(design.F)], rows)
 
 
-def moving_view(piece: Actuation) -> Markup:
+def moving_view(piece: Actuation) -> str:
     """The frames, to be played, turned by dragging and stepped through; one a page. Corners are 16-bit
     numbers."""
     corners = np.stack([front_corners(piece.design, rows).reshape(-1, 3) for rows in piece.frames])
@@ -45,7 +43,7 @@ def moving_view(piece: Actuation) -> Markup:
         doing=[html.STATE_NAMES[load] for load in piece.loads], marks=marks, hue=OPEN,
         frames=[frame + 1 for frame in marks], times=np.round(piece.time, 6).tolist(),
         energies=np.round(piece.energy, 3).tolist(),
-        script=Markup(files(__package__).joinpath("frames.js").read_text("utf-8")))
+        script=html.markup(files(__package__).joinpath("frames.js").read_text("utf-8")))
 
 
 def open_tiles(piece: Actuation) -> dict[int, list[bool]]:
@@ -86,10 +84,9 @@ def write_actuation(results: Results, path: Path, job: Job) -> bool:
 
 
 def write_frame(model: Any, rows: np.ndarray, folder: Folder, name: str, job: Job) -> None:
-    """The tiles of a PrintModel where a frame has them, as STEP."""
+    """Writes the tiles of a PrintModel where a frame has them, as STEP."""
     job.go_on(f"writing {name}")
-    posed = model.posed(rows)
-    folder.write(name, lambda place: posed.write("step", "actuated", str(place), job))
+    folder.write(name, lambda place: model.posed(rows).write("step", "actuated", str(place), job))
 
 
 def _compact(value: Any) -> str:
@@ -137,5 +134,6 @@ def _maps(piece: Actuation) -> Iterator[Picture]:
     for state in piece.states:
         corners = front_corners(piece.design, piece.tiles(state)).reshape(-1, 3)
         yield Picture("", f"{html.STATE_NAMES[state].capitalize()}: distance of each tile from the target.",
-                      "distance", {"V": corners, "F": np.arange(len(corners)).reshape(-1, 3),
-                                   "values": piece.deviation(state), "most": float(piece.deviations.max())})
+                      "pictures.distance_view",
+                      {"V": corners, "F": np.arange(len(corners)).reshape(-1, 3),
+                       "values": piece.deviation(state), "most": float(piece.deviations.max())})

@@ -10,8 +10,7 @@ from typing import Any, Iterable, Iterator, Mapping, Sequence
 from ..base.errors import tile_name
 from ..base.language import ENGLISH, Language, Text
 from ..base.native import native
-from ..stages.solids import overhangs, read_printer
-from .shop import is_tilted, latex
+from .shop import latex, reaches_out
 
 GLUE_LAYER = 0.1  # mm of wet glue on what stands out
 HOLE = 0.4        # diameter of a hole for a tooth, of the grid's pitch
@@ -136,9 +135,7 @@ def _values(report: Mapping[str, Any], parameters: Any, say: Language) -> dict[s
     on_bed = "back" if get("orientation") == "front-up" else "front"
     words = {"front": say("front"), "back": say("back")}
     slab = glue[f"{second}_support_mm2"]
-    # The shop takes the slicer's supports of a tilted print off.
-    reach_out = not is_tilted(parameters) and overhangs(block["overhang_mm"], parameters,
-                                                        read_printer(get("printer")))
+    reach_out = reaches_out(report, parameters)  # the shop takes supports of a tilted print off
     level = say("the slicer's supports lie level with the pins") if reach_out else \
         say("the slab lies level with the pins ({area:.0f} mm²)", area=slab)
     taped = bool(beds.get("position_error_mm"))

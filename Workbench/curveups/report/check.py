@@ -16,6 +16,7 @@ from ..stages.stage import Picture
 from . import html
 
 FORMAT, VERSION = "curveups-check", 1
+_MOST_LISTED = 200  # obstacles on the page
 Row = tuple[str, str, str, str, str]
 
 
@@ -34,16 +35,12 @@ def build_check(results: Results) -> dict[str, Any]:
                    "stretch": float(feasibility.stretch[i]),
                    "stretch_range": feasibility.stretch_range[i].tolist()}
                   for i in range(len(feasibility.F))],
-        "contacts": [{"tiles": pair, "fold_deg": float(dihedral), "fold_margin": float(margin),
-                      "interface": float(share)}
-                     for pair, dihedral, margin, share in zip(
-                         feasibility.contacts.tolist(), feasibility.dihedral, feasibility.dihedral_margin,
-                         feasibility.interface_share)],
+        "contacts": [{"tiles": pair, "fold_deg": float(dihedral), "fold_margin": float(margin)}
+                     for pair, dihedral, margin in zip(feasibility.contacts.tolist(), feasibility.dihedral,
+                                                       feasibility.dihedral_margin)],
         "blocked": [{"tile": obstacle.tile, "why": str(obstacle.why), "obstacle": obstacle.obstacle,
                      "certain": obstacle.certain}
                     for obstacle in feasibility.blocked],
-        "trimmed": feasibility.trimmed.tolist(), "overlapping": feasibility.overlapping.tolist(),
-        "pins_meeting": feasibility.meeting.tolist(), "relieved_pin_sides": feasibility.reached,
         "recommended": {"L": list(sizes.L) if sizes.L else None, "H_body": sizes.H_body},
     }
 
@@ -55,6 +52,7 @@ def verdict(results: Results) -> list[Finding]:
     likely = sorted({obstacle.tile for obstacle in feasibility.blocked} - set(sure))
     findings = [Finding.about(kind, tiles, at=tuple(tiles), count=len(tiles), of=len(feasibility.F))
                 for kind, tiles in (("check.blocked", sure), ("check.likely", likely)) if tiles]
+    findings += [feasibility.sharpest] if feasibility.sharpest else []
     return findings or [Finding("check.clear")]
 
 
@@ -107,20 +105,12 @@ def build_page(results: Results) -> str:
     """Text of check.html."""
     feasibility = results["feasibility"]
     blocked, count = feasibility.blocked, len(feasibility.F)
+    marks = np.zeros(count, int)  # 1: likely to fail, 2: can't be made
+    for obstacle in sorted(blocked, key=lambda obstacle: obstacle.certain):
+        marks[obstacle.tile] = 2 if obstacle.certain else 1
     picture = Picture("", "The target from both sides: tiles that can't be made in red, those that are "
-                          "likely to fail in orange.", "blocked",
-                      {"V": feasibility.V, "F": feasibility.F, "marks": _marks(count, blocked)})
+                          "likely to fail in orange.", "pictures.blocked_view",
+                      {"V": feasibility.V, "F": feasibility.F, "marks": marks})
     return html.render("check.html", title=results.title, blocked=blocked, tiles=count, picture=picture,
                        lines=[*verdict(results), *advice(results)], rows=rows(results), head=HEAD,
                        estimate=ESTIMATE, most_listed=_MOST_LISTED)
-
-
-_MOST_LISTED = 200
-
-
-def _marks(count: int, blocked: Sequence[Obstacle]) -> np.ndarray:
-    """For each of so many tiles: 0, or 1 where it is likely to fail, 2 where it can't be made."""
-    marks = np.zeros(count, int)
-    for obstacle in blocked:
-        marks[obstacle.tile] = max(marks[obstacle.tile], 2 if obstacle.certain else 1)
-    return marks

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import json
 import math
-import sys
+import resource
 from typing import Any, Sequence
 
 import numpy as np
@@ -19,7 +19,8 @@ FORMAT, VERSION = "curveups-report", 1
 
 def build_report(results: Results, rows: Sequence[Row], stopped: bool, files: dict[str, int],
                  software: dict[str, str]) -> dict:
-    """The report on the results of a run; `files`: what has been written so far, with sizes in bytes."""
+    """The report on the results of a run. files: sizes in bytes of the files written; files that are written
+    later and added to it are in the report, too."""
     verdict = results.verdict
     report: dict[str, Any] = {
         "format": FORMAT, "version": VERSION, "name": results.name, "title": results.title,
@@ -37,33 +38,18 @@ def build_report(results: Results, rows: Sequence[Row], stopped: bool, files: di
     for result in results.values():
         for name, block in result.report().items():
             report[name] = {**report[name], **block} if isinstance(report.get(name), dict) else block
-    list_files(report, files)
+    if "print" in report:
+        report["print"]["files"] = files
     report["stages"] = [{"name": row.name, "seconds": round(row.seconds, 3),
                          "iterations": int(row.iterations)} for row in rows]
-    report["peak_memory_mb"] = peak_memory_mb()
+    report["peak_memory_mb"] = round(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024, 1)
     report["software"] = {"curveups": __version__, **software}
     return report
 
 
-def peak_memory_mb() -> float | None:
-    """The most memory that this process has held, MB; None where the system does not tell."""
-    try:
-        import resource
-    except ImportError:  # Windows
-        return None
-    unit = 1024 * 1024 if sys.platform == "darwin" else 1024
-    return round(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / unit, 1)
-
-
-def list_files(report: dict[str, Any], files: dict[str, int]) -> None:
-    """Enter what has been written beside the print's figures."""
-    if "print" in report:
-        report["print"]["files"] = dict(files)
-
-
 def has_solids(results: Results) -> bool:
-    """True if there are solids to be written."""
-    return "solids" in results and results["solids"].model is not None
+    """True if there are bodies to be written."""
+    return "check" in results and results["bodies"].model is not None
 
 
 def to_text(report: dict) -> str:
@@ -76,11 +62,8 @@ def _finite(value: Any) -> Any:
         return {key: _finite(item) for key, item in value.items()}
     if isinstance(value, (list, tuple)):
         return [_finite(item) for item in value]
-    if isinstance(value, np.generic):
-        value = value.item()
-    if isinstance(value, float) and not math.isfinite(value):
-        return None
-    return value
+    value = value.item() if isinstance(value, np.generic) else value
+    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def show(value: Any) -> str:

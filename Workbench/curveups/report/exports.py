@@ -8,17 +8,17 @@ import string
 from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, Callable, ClassVar, Iterable, Mapping, Optional, Sequence
+from typing import Any, Callable, Iterable, Mapping, Optional, Sequence
 
 from ..base.errors import CurveUpsError, Stopped, named_tiles
 from ..base.findings import Finding
 from ..base.native import native, translated
 from ..base.output import Folder, safe_name
 from ..project.project import Made, Project, Results
-from ..stages import asked_by
+from ..stages import stages_of
 from ..stages.design import FinishedDesign
-from ..stages.stage import Job, Result
-from .files import REPORTS, write_reports
+from ..stages.stage import Block, Job
+from .files import REPORTS, write_bodies, write_reports
 
 File = tuple[str, str]  # kind of bodies, ending: of native.print_formats()
 
@@ -36,14 +36,6 @@ class Choice:
     insist: bool = False
 
 
-@dataclass(frozen=True)
-class Doubt(Result):
-    """Why files that were insisted on should not be printed."""
-
-    lasting: ClassVar[bool] = False
-    broken: tuple[Finding, ...] = ()
-
-
 def choices() -> list[File]:
     """All files that there are."""
     return [(kind, form.ending) for form in native.print_formats() for kind in form.kinds]
@@ -54,8 +46,8 @@ def file_names(name: str, choice: Choice, more: Mapping[str, Callable[[str], str
     """The name of each chosen file. more: other fields that the mask may have, by the kind of bodies. Raises
     CurveUpsError for a mask that does not do."""
     fields: dict[str, Callable[[str], str]] = {"name": lambda kind: safe_name(name), "body": str, **more}
-    known = " and ".join(filter(None, (", ".join(f"{{{field}}}" for field in list(fields)[:-1]),
-                                       f"{{{list(fields)[-1]}}}")))
+    *most, last = (f"{{{field}}}" for field in fields)
+    known = f"{', '.join(most)} and {last}"
     try:
         used = {part[1] for part in string.Formatter().parse(choice.mask) if part[1] is not None}
     except ValueError as error:
@@ -78,6 +70,11 @@ def file_names(name: str, choice: Choice, more: Mapping[str, Callable[[str], str
     return names
 
 
+def all_names(name: str, choice: Choice) -> list[str]:
+    """Names of all that write_export writes. Raises CurveUpsError as file_names does."""
+    return [*file_names(name, choice).values(), "design.json", *(REPORTS if choice.reports else ())]
+
+
 def write_export(project: Project, folder: Path, choice: Choice, job: Job) -> Folder:
     """Write the chosen files and the reports; reports of earlier files go first. Raises CurveUpsError where
     the design is doubtful and not insisted on or a file can't be written, Stopped where it was stopped:
@@ -88,17 +85,16 @@ def write_export(project: Project, folder: Path, choice: Choice, job: Job) -> Fo
         raise CurveUpsError("no file is chosen", project.where, "choose a body and a format")
     names = file_names(project.name, choice)
     results = _printed(project, choice, job)
-    broken = [reason for stage in asked_by("print") for reason in results[stage].reasons()]
+    broken = [reason for stage in stages_of("print") for reason in results[stage].reasons()]
     if broken and not choice.insist:
         raise _doubtful(broken[0], project)
     with Folder(folder) as place, translated(project.where):
         place.remove(*REPORTS)
         place.write_text("design.json", native.write_design(results.design))
-        model = results["solids"].model
+        bodies = results["bodies"]
         for (kind, ending), file in names.items():
-            if kind in (*results["solids"].kinds, "print", "actuated"):
-                job.go_on(f"writing {file}")
-                place.write(file, _writer(model, kind, ending, job))
+            if kind in (*bodies.kinds, "print", "actuated"):
+                write_bodies(place, file, bodies.model, kind, job)
         if choice.reports:
             write_reports(_with(results, choice.doubts), place)
     return place
@@ -106,22 +102,21 @@ def write_export(project: Project, folder: Path, choice: Choice, job: Job) -> Fo
 
 def write_spares(project: Project, folder: Path, tiles: str, job: Job) -> list[str]:
     """Writes these tiles alone, "T00012,T00345", at their places in the print; the files' names."""
-    rows = set(named_tiles(tiles, len(project.latest("design").design.F), "--tiles"))
+    rows = sorted(set(named_tiles(tiles, len(project.latest("design").design.F), "--tiles")))
     model = project.run(("bodies",), job, strict=True)["bodies"].model
     if model is None:
         raise Stopped
-    spares = model.only_tiles(sorted(rows))
+    spares = model.only_tiles(rows)
     with Folder(folder) as place, translated(project.where):
         for form in native.print_formats():
             kind, file = "tiles" if "tiles" in form.kinds else "print", f"{project.name}-spares.{form.ending}"
-            job.go_on(f"writing {file}")
-            place.write(file, _writer(spares, kind, form.ending, job))
+            write_bodies(place, file, spares, kind, job)
     return list(place.files)
 
 
 def report(project: Project, folder: Path, doubts: Iterable[Finding], job: Job) -> Path:
     """Writes report.html and report.json of all that is current; the page."""
-    current = _current(project, asked_by("solve", "settle", "actuate"))
+    current = _current(project, stages_of("solve", "settle", "actuate"))
     results = project.run(current, job, note=Finding("unverified"))
     place = Folder(folder)
     write_reports(_with(results, tuple(doubts)), place)
@@ -153,7 +148,7 @@ def _printed(project: Project, choice: Choice, job: Job) -> Results:
             parameters.set("mesh_deviation", choice.deviation)
     design = project.latest("design").design
     named = design.with_name(doubtful(design.name, False)) if choice.doubts else design
-    goals = (*_current(project, asked_by("verify")), *asked_by("print"))
+    goals = (*_current(project, stages_of("verify")), *stages_of("print"))
     results = run_under(project, named, parameters, goals, job, Finding("unverified.export"))
     if job.stopped:
         raise Stopped
@@ -165,7 +160,7 @@ def run_under(project: Project, design: Any, parameters: Any, goals: Sequence[st
     """Results of a project's design under the title that `design` has, which labels, solids and files carry;
     what does not depend on it is taken over. Files are named as before."""
     known = {name: result for name, result in project.made().items()
-             if name not in (*asked_by("print"), "design")}
+             if name not in (*stages_of("print"), "design")}
     given = {"design": FinishedDesign(design, None, project.latest("design").unsettled)}
     results = Project(design.name, parameters, given, project.where, known).run(goals, job, True, note)
     return replace(results, name=safe_name(project.name))
@@ -177,8 +172,5 @@ def _current(project: Project, names: Iterable[str]) -> tuple[str, ...]:
 
 
 def _with(results: Results, doubts: tuple[Finding, ...]) -> Results:
-    return replace(results, made={**results.made, "doubt": Made(Doubt(doubts))}) if doubts else results
-
-
-def _writer(model: Any, kind: str, ending: str, job: Job) -> Any:
-    return lambda path: model.write(ending, kind, str(path), job)
+    """Results whose verdict has these reasons, too: why files that are insisted on should not be printed."""
+    return replace(results, made={**results.made, "doubt": Made(Block("doubt", broken=doubts))})

@@ -5,8 +5,10 @@ from __future__ import annotations
 
 import json
 import time
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 from pathlib import Path
-from typing import Any, Callable
+from typing import Any, Callable, Optional, Sequence
 
 import numpy as np
 
@@ -14,10 +16,10 @@ from ..base.errors import Stopped
 from ..base.native import native
 from ..base.output import Folder
 from ..project.project import Results
-from ..stages.stage import Job, Row
+from ..stages.stage import Job, Picture, Row
 from . import check
-from .data import build_report, has_solids, list_files, to_text
-from .html import build_html
+from .data import build_report, has_solids, to_text
+from .html import Drawn, build_html, draw_pictures
 
 REPORTS = ("report.json", "report.html")
 
@@ -43,29 +45,38 @@ def write_files(results: Results, path: Path, job: Job, write_document: WriteDoc
             edges = np.vstack([results.design.cuts, *(cut.edges for cut in suggested.proposed)])
             folder.write_text(f"{results.name}-cuts.json",  # as `--cuts` takes them
                               json.dumps({"edges": np.sort(edges, axis=1).tolist()}) + "\n")
+        drawn: Optional[Sequence[tuple[Picture, Drawn]]] = None
         if has_solids(results):
             try:
-                _write_solids(results, folder, job)
-                document = f"{results.name}.FCStd"
-                job.go_on(f"writing {document}")
-                folder.write(document, lambda place: software.update(write_document(results, place)))
+                # FreeCAD and matplotlib work on this thread, beside the native module.
+                with ThreadPoolExecutor(1) as beside:
+                    bodies = beside.submit(_write_all_bodies, results, folder, job)
+                    document = f"{results.name}.FCStd"
+                    job.go_on(f"writing {document}")
+                    folder.write(document, lambda place: software.update(write_document(results, place)))
+                    with suppress(ModuleNotFoundError):  # the page says so
+                        drawn = draw_pictures(results)
+                    bodies.result()
             except (Stopped, native.Cancelled):
                 stopped = True
             rows.append(Row("export", time.perf_counter() - start))
-        write_reports(results, folder, rows, stopped, software)
+        write_reports(results, folder, rows, stopped, software, drawn)
     return stopped
 
 
-def _write_solids(results: Results, folder: Folder, job: Job) -> None:
-    """Write what is sent to the printer first. A kind without bodies (anchors switched off) has no file."""
-    solids = results["solids"]
-    model = solids.model
+def _write_all_bodies(results: Results, folder: Folder, job: Job) -> None:
+    """Write first what is sent to the printer. A kind without bodies (anchors off) has no file."""
+    bodies = results["bodies"]
     for form in sorted(native.print_formats(), key=lambda form: form.ending != "3mf"):
         for kind in form.kinds:
-            if kind in (*solids.kinds, "print", "actuated"):
-                name = f"{results.name}-{kind}.{form.ending}"
-                job.go_on(f"writing {name}")
-                folder.write(name, lambda place: model.write(form.ending, kind, str(place), job))
+            if kind in (*bodies.kinds, "print", "actuated"):
+                write_bodies(folder, f"{results.name}-{kind}.{form.ending}", bodies.model, kind, job)
+
+
+def write_bodies(folder: Folder, name: str, model: Any, kind: str, job: Job) -> None:
+    """Writes bodies of a kind of a native PrintModel in the format of the name's ending."""
+    job.go_on(f"writing {name}")
+    folder.write(name, lambda place: model.write(name.rpartition(".")[2], kind, str(place), job))
 
 
 def write_verification(results: Results, design: Any, path: Path) -> None:
@@ -79,7 +90,8 @@ def write_verification(results: Results, design: Any, path: Path) -> None:
 
 def keep_design(folder: Folder, results: Results, text: str) -> None:
     """Writes design.json where the folder holds another or none; what was made of that goes first."""
-    if not folder.holds("design.json", text):
+    path = folder.path / "design.json"
+    if not path.is_file() or path.read_bytes() != text.encode("utf-8"):
         folder.remove(*REPORTS, *_earlier(results, folder.path))
         folder.write_text("design.json", text)
 
@@ -105,19 +117,17 @@ def _earlier(results: Results, path: Path) -> list[str]:
 
 
 def write_reports(results: Results, folder: Folder, rows: list[Row] | None = None, stopped: bool = False,
-                  software: dict[str, str] | None = None) -> None:
+                  software: dict[str, str] | None = None,
+                  drawn: Optional[Sequence[tuple[Picture, Drawn]]] = None) -> None:
     """Write report.html, then report.json, which lists all other files. rows: with those of writing."""
-    report: dict[str, Any] = {}
-    shown = results.rows() if rows is None else rows
-    stopped = stopped or results.stopped
-
-    def write_page(path: Path) -> None:
-        report.update(build_report(results, shown, stopped, folder.files, software or {}))
-        path.write_bytes(build_html(results, report).encode("utf-8"))
-
-    folder.write("report.html", write_page)
-    list_files(report, folder.files)
-    folder.write_text("report.json", to_text(report))
+    report = build_report(results, results.rows() if rows is None else rows, stopped or results.stopped,
+                          folder.files, software or {})
+    try:
+        folder.write("report.html", lambda path: path.write_text(build_html(results, report, drawn), "utf-8"))
+    finally:  # the page needs packages that a FreeCAD may lack
+        if "print" in report:
+            report["print"]["files"] = dict(sorted(folder.files.items()))
+        folder.write_text("report.json", to_text(report))
 
 
 def write_obj(folder: Folder, name: str, V: np.ndarray, F: np.ndarray) -> None:

@@ -4,37 +4,30 @@
 from __future__ import annotations
 
 import base64
+from functools import lru_cache
 from html import escape
 from importlib import import_module
 from pathlib import Path
-from typing import Any, Iterator, Mapping, Sequence, Union
-
-from jinja2 import Environment, FileSystemLoader
-from markupsafe import Markup
+from typing import Any, Iterator, Mapping, Optional, Sequence, Union
 
 from ..base.errors import tile_list, tile_name
 from ..base.parameters import table as parameter_table
 from ..project.project import HOLDS, Results
 from ..stages.actuation import states
+from ..stages.stage import Picture
 from .assembly import steps
 from .data import show
 from .shop import latex, print_picture, quote, rules
 
-Drawn = Union[bytes, Markup]  # PNG, or HTML that moves
-# Modules of views and their functions: matplotlib is loaded where the first picture is drawn.
-_VIEWS = {"flat": ("pictures", "flat_layout"), "actuated": ("pictures", "actuated_view"),
-          "cuts": ("pictures", "cut_view"), "stretch": ("pictures", "stretch_view"),
-          "movement": ("pictures", "movement_view"),
-          "distance": ("pictures", "distance_view"), "blocked": ("pictures", "blocked_view"),
-          "moving": ("actuation", "moving_view"), "print": ("print_pictures", "print_view")}
+Drawn = Union[bytes, str]  # PNG, or HTML that moves
 MOST_ROWS = 10  # of tables of moved vertices and weak contacts
 STATE_NAMES = {"relaxed": "without friction", "by_itself": "released", "shaken": "shaken",
                "pressed": "pressed and let go"}
 
 
-def view(name: str, **data: Any) -> Drawn:
-    """Picture of `data` by the view of a name."""
-    module, function = _VIEWS[name]
+def view(place: str, **data: Any) -> Drawn:
+    """Picture of `data` (stage.Picture). matplotlib is loaded where the first one is drawn."""
+    module, function = place.split(".")
     return getattr(import_module(f".{module}", __package__), function)(**data)
 
 
@@ -48,34 +41,54 @@ def pair(tiles: Sequence[int]) -> str:
     return "–".join(map(tile_name, tiles))
 
 
-def _image(drawn: Drawn, caption: str) -> Markup:
+def _image(drawn: Drawn, caption: str) -> str:
     if not isinstance(drawn, bytes):
         return drawn
     data = base64.b64encode(drawn).decode("ascii")
-    return Markup(f'<img alt="{escape(caption)}" src="data:image/png;base64,{data}">')
+    return markup(f'<img alt="{escape(caption)}" src="data:image/png;base64,{data}">')
 
 
-_TEMPLATES = Environment(loader=FileSystemLoader(Path(__file__).parent / "templates"), autoescape=True,
-                         trim_blocks=True, lstrip_blocks=True)
-_TEMPLATES.filters.update(show=show, tile=tile_name, tiles=tile_list, pair=pair, words=words, image=_image,
-                          states=lambda block: states(block).items())
-_TEMPLATES.globals.update(view=view, most=MOST_ROWS, states_in_words=STATE_NAMES)
+def markup(text: str) -> str:
+    """Text that templates take as HTML."""
+    from markupsafe import Markup  # which FreeCAD may lack
+
+    return Markup(text)
 
 
-def render(template: str, **data: Any) -> Markup:
+@lru_cache(maxsize=None)
+def _templates() -> Any:
+    from jinja2 import Environment, FileSystemLoader  # which FreeCAD may lack
+
+    templates = Environment(loader=FileSystemLoader(Path(__file__).parent / "templates"), autoescape=True,
+                            trim_blocks=True, lstrip_blocks=True)
+    templates.filters.update(show=show, tile=tile_name, tiles=tile_list, pair=pair, words=words, image=_image,
+                             states=lambda block: states(block).items())
+    templates.globals.update(view=view, most=MOST_ROWS, states_in_words=STATE_NAMES)
+    return templates
+
+
+def render(template: str, **data: Any) -> str:
     """Text of a template of this folder, filled in."""
-    return Markup(_TEMPLATES.get_template(template).render(**data))
+    return markup(_templates().get_template(template).render(**data))
 
 
-def build_html(results: Results, report: dict) -> str:
-    """report.html for the results of a run and their report."""
+def draw_pictures(results: Results) -> list[tuple[Picture, Drawn]]:
+    """All pictures of report.html."""
     printed = print_picture(results)  # belongs to the shop's block
+    return [(picture, view(picture.view, **picture.data))
+            for picture in (*([printed] if printed else []), *results.pictures())]
+
+
+def build_html(results: Results, report: dict,
+               drawn: Optional[Sequence[tuple[Picture, Drawn]]] = None) -> str:
+    """report.html for the results of a run and their report. drawn: its pictures, where they are drawn
+    already."""
     parameters = results.parameters
     shop = {"rules": rules(report, parameters), "steps": steps(report, parameters),
             "quote": [*quote(report, parameters), ("Membranes", latex(report, parameters))]} \
         if "print" in report and "sheets" in report else None
     return render("report.html", title=report["title"], report=report, holds=HOLDS, shop=shop,
-                  pictures=[*([printed] if printed else []), *results.pictures()],
+                  pictures=draw_pictures(results) if drawn is None else drawn,
                   figures=list(_figures(report)), parameters=parameter_table(),
                   values=parameters.to_dict())
 

@@ -13,10 +13,12 @@ from typing import Any, Sequence
 import matplotlib
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.cm import ScalarMappable
+from matplotlib.collections import LineCollection, PathCollection, PolyCollection
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
+from matplotlib.path import Path
 from PIL import Image
 
 from ..stages.cut_request import sides_of_edges
@@ -31,27 +33,19 @@ MARKS = ("#cfc8bb", "#ef8a17", "#c62828")  # of tiles: sound, doubtful, impossib
 def inset_triangles(corners: np.ndarray, q: np.ndarray) -> np.ndarray:
     """M x 3 x 2 triangles whose edges lie q (M x 3) inside those of `corners`."""
     edge = np.roll(corners, -1, axis=1) - corners
-    unit = edge / np.linalg.norm(edge, axis=2, keepdims=True)
-    inward = np.stack([-unit[..., 1], unit[..., 0]], axis=2)
-    offset = np.einsum("mtk,mtk->mt", inward, corners) + q
+    double_area = edge[:, :1, 0] * edge[:, 1:2, 1] - edge[:, :1, 1] * edge[:, 1:2, 0]
+    share = (q * np.linalg.norm(edge, axis=2) / double_area)[..., None]  # of the height over each edge
     # Corner t lies on the moved edges t - 1 and t.
-    n0, n1 = np.roll(inward, 1, axis=1), inward
-    c0, c1 = np.roll(offset, 1, axis=1), offset
-    det = n0[..., 0] * n1[..., 1] - n0[..., 1] * n1[..., 0]
-    x = (c0 * n1[..., 1] - c1 * n0[..., 1]) / det
-    y = (n0[..., 0] * c1 - n1[..., 0] * c0) / det
-    return np.stack([x, y], axis=2)
+    return corners + np.roll(share, 1, axis=1) * edge + share * (np.roll(corners, 1, axis=1) - corners)
 
 
 def flat_layout(design: Any, values: np.ndarray | None = None, label: str = "",
                 marked: Sequence[tuple[int, int]] = (), width: float = 9.0) -> bytes:
     """Tiles with their front pins, to scale; `values` colours the tiles, `marked` pairs of tiles are
     joined by a line."""
-    low, high = _bounds(np.asarray(design.T))
     share = 0.92 if values is None else 0.8  # of the width; the rest is for the colours' scale
     below = 0.5  # inches, for the axis
-    height = share * width * (high[1] - low[1]) / (high[0] - low[0])
-    height = float(np.clip(height, 3, 14)) + below + 0.1
+    height = _height(design.T, share * width, 3, 14) + below + 0.1
     figure = Figure(figsize=(width, height))
     axes = figure.add_axes([0.06, below / height, share, 1 - (below + 0.1) / height])
     tiles = _draw_flat(axes, design, values)
@@ -61,17 +55,13 @@ def flat_layout(design: Any, values: np.ndarray | None = None, label: str = "",
         centres = np.asarray(design.T).mean(1)
         axes.add_collection(LineCollection([centres[list(pair)] for pair in marked], colors=WEAK,
                                            linewidths=2))
-    axes.set_xlabel("mm")
-    for side in ("top", "right"):
-        axes.spines[side].set_visible(False)
+    _label(axes)
     return _png(figure, scale=values is not None)
 
 
 def actuated_view(design: Any, width: float = 7.0) -> bytes:
     """The tiles in the target shape, lit, seen from the front's side at an angle."""
-    low, high = _bounds(_seen(design)[0])
-    height = width * (high[1] - low[1]) / (high[0] - low[0])
-    figure = Figure(figsize=(width, float(np.clip(height, 2.5, 9))))
+    figure = Figure(figsize=(width, _height(_seen(design)[0], width, 2.5, 9)))
     _draw_actuated(figure.add_axes([0, 0, 1, 1]), design)
     return _png(figure)
 
@@ -82,15 +72,10 @@ def blocked_view(V: np.ndarray, F: np.ndarray, marks: np.ndarray) -> bytes:
     return _png(two_sides(V, F, colours)[0])
 
 
-def movement_view(V: np.ndarray, F: np.ndarray, values: np.ndarray) -> bytes:
-    """A target from two sides, its tiles coloured by the largest of their corners' values (mm)."""
-    of_tile = np.asarray(values)[F].max(axis=1)
-    return distance_view(V, F, of_tile, float(of_tile.max()))
-
-
-def distance_view(V: np.ndarray, F: np.ndarray, values: np.ndarray, most: float) -> bytes:
-    """Tiles from two sides, coloured by their values (M, mm) on a scale from 0 to `most`."""
-    scale = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(0, max(most, 1e-9)), "viridis")
+def distance_view(V: np.ndarray, F: np.ndarray, values: np.ndarray, most: float | None = None) -> bytes:
+    """Tiles from two sides, coloured by their values (M, mm) on a scale from 0 to `most`, or the largest."""
+    most = float(np.max(values)) if most is None else most
+    scale = matplotlib.cm.ScalarMappable(Normalize(0, max(most, 1e-9)), "viridis")
     figure, height = two_sides(V, F, scale.to_rgba(values)[:, :3], 0.6)
     figure.colorbar(scale, cax=figure.add_axes([0.3, 0.4 / height, 0.4, 0.12 / height]),
                     orientation="horizontal", label="mm")
@@ -101,9 +86,7 @@ def two_sides(V: np.ndarray, F: np.ndarray, colours: np.ndarray, below: float = 
               width: float = 10.0) -> tuple[Figure, float]:
     """A picture of the tiles in these colours (M x 3) and its height, inches, of which `below` are free."""
     target = SimpleNamespace(V=V, F=F)
-    low, high = _bounds(_seen(target)[0])
-    height = 0.5 * width * (high[1] - low[1]) / (high[0] - low[0])
-    height = float(np.clip(height, 2.5, 9)) + below
+    height = _height(_seen(target)[0], 0.5 * width, 2.5, 9) + below
     figure = Figure(figsize=(width, height))
     for place, turned in ((0.0, False), (0.5, True)):
         _draw_actuated(figure.add_axes([place, below / height, 0.5, 1 - below / height]), target, turned,
@@ -132,8 +115,7 @@ def _draw_actuated(axes: Any, design: Any, turned: bool = False, colours: np.nda
     """lines: tile, edge and colour of edges to be drawn where no tile hides them."""
     corners, normal = _seen(design, turned)
     light = np.array([-0.35, 0.5, 0.8])
-    light /= np.linalg.norm(light)
-    shade = 0.3 + 0.7 * np.abs(normal @ light)
+    shade = 0.3 + 0.7 * np.abs(normal @ light) / np.linalg.norm(light)
     if colours is None:
         colours = np.where(normal[:, 2:] > 0, matplotlib.colors.to_rgb("#f0b24a"),
                            matplotlib.colors.to_rgb("#8fa7bf"))
@@ -157,20 +139,26 @@ def _seen(design: Any, turned: bool = False) -> tuple[np.ndarray, np.ndarray]:
     """Corners (M x 3 x 3) and normals of the actuated tiles in the camera's coordinates; `turned`:
     from the opposite side."""
     V, F = np.asarray(design.V), np.asarray(design.F)
-    corners = in_view(V, V, camera(V, F), turned)[F]
+    points = (V - V.mean(0)) @ camera(V, F).T
+    corners = (points * np.array([-1.0, 1.0, -1.0]) if turned else points)[F]
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     return corners, normal / np.linalg.norm(normal, axis=1, keepdims=True)
-
-
-def in_view(points: np.ndarray, V: np.ndarray | None, seen_by: np.ndarray, turned: bool) -> np.ndarray:
-    """Points about the middle of V, or directions, in the coordinates of a camera."""
-    seen = (points if V is None else points - V.mean(0)) @ seen_by.T
-    return seen * np.array([-1.0, 1.0, -1.0]) if turned else seen
 
 
 def _bounds(corners: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     points = corners[..., :2].reshape(-1, 2)
     return points.min(0), points.max(0)
+
+
+def _height(corners: np.ndarray, width: float, least: float, most: float) -> float:
+    """Height of a picture of this width, both in inches, that shows these corners to scale."""
+    low, high = _bounds(np.asarray(corners))
+    return float(np.clip(width * (high[1] - low[1]) / (high[0] - low[0]), least, most))
+
+
+def _label(axes: Any) -> None:
+    axes.set_xlabel("mm")
+    axes.spines[["top", "right"]].set_visible(False)
 
 
 def _frame(axes: Any, low: np.ndarray, high: np.ndarray) -> None:
@@ -182,20 +170,16 @@ def _frame(axes: Any, low: np.ndarray, high: np.ndarray) -> None:
 
 def camera(V: np.ndarray, F: np.ndarray) -> np.ndarray:
     """Rows: right, up and towards the eye; from above the mean normal, 35 degrees off it."""
-    a, b, c = V[F[:, 0]], V[F[:, 1]], V[F[:, 2]]
-    towards = np.cross(b - a, c - a).sum(0)
-    area = np.linalg.norm(np.cross(b - a, c - a), axis=1).sum()
-    if np.linalg.norm(towards) < 0.05 * area:  # all around, as a sphere
+    normals = np.cross(V[F[:, 1]] - V[F[:, 0]], V[F[:, 2]] - V[F[:, 0]])
+    towards = normals.sum(0)
+    if np.linalg.norm(towards) < 0.05 * np.linalg.norm(normals, axis=1).sum():  # all around, as a sphere
         towards = np.array([0.3, -1.0, 0.4])
     towards = towards / np.linalg.norm(towards)
     aside = np.array([0.25, -0.9, 0.1]) if abs(towards[2]) > 0.7 else np.array([0.3, 0.2, 0.9])
     aside = aside - aside @ towards * towards
     aside /= np.linalg.norm(aside)
     eye = np.cos(np.radians(50)) * towards + np.sin(np.radians(50)) * aside
-    up = np.array([0.0, 0.0, 1.0])
-    if abs(eye @ up) > 0.97:
-        up = np.array([0.0, 1.0, 0.0])
-    right = np.cross(up, eye)
+    right = np.cross([0.0, 0.0, 1.0] if abs(eye[2]) <= 0.97 else [0.0, 1.0, 0.0], eye)
     right /= np.linalg.norm(right)
     return np.stack([right, np.cross(eye, right), eye])
 
@@ -218,9 +202,7 @@ MADE, PROPOSED = "#1565c0", "#d81b60"
 def cut_view(design: Any, cuts: Sequence[dict], width: float = 10.0) -> bytes:
     """Layout on the left, target from two sides on the right; `cuts` as in report.json."""
     flat = np.asarray(design.T)
-    low, high = _bounds(flat)
-    height = float(np.clip(0.5 * width * (high[1] - low[1]) / (high[0] - low[0]), 4, 10))
-    figure = Figure(figsize=(width, height))
+    figure = Figure(figsize=(width, _height(flat, 0.5 * width, 4, 10)))
     layout = figure.add_axes([0.01, 0.02, 0.5, 0.96])
     _draw_flat(layout, design, None)
     layout.axis("off")
@@ -244,26 +226,24 @@ def cut_view(design: Any, cuts: Sequence[dict], width: float = 10.0) -> bytes:
 SIDES = ("front", "back")
 TAUT, WRINKLED, SLACK = range(3)  # as the native module numbers tension
 WRINKLE, LOOSE = "#d81b60", "#b9b4aa"
+LEVELS = 128  # colours of a membrane
 
 
 def stretch_view(membranes: Sequence[Any], width: float = 10.0) -> bytes:
     """Both membranes side by side, coloured by the larger principal stretch on one scale; wrinkled
     triangles are tinted, slack ones grey. `membranes`: front and back, each with the arrays of a
     native MembranePicture."""
-    low, high = _bounds(np.vstack([m["flat"] for m in membranes]))
+    points = np.vstack([membrane["flat"] for membrane in membranes])
     below, above = 0.75, 0.3  # inches, for the legend and the axis, and for titles
-    height = 0.405 * width * (high[1] - low[1]) / (high[0] - low[0])
-    height = float(np.clip(height, 2.2, 10)) + below + above
+    height = _height(points, 0.405 * width, 2.2, 10) + below + above
     figure = Figure(figsize=(width, height))
     scale = _scale(membranes)
     for column, (name, membrane) in enumerate(zip(SIDES, membranes)):
         axes = figure.add_axes([0.05 + 0.455 * column, below / height, 0.405, 1 - (below + above) / height])
         drawn = _draw(axes, membrane, scale)
-        _frame(axes, low, high)
+        _frame(axes, *_bounds(points))
         axes.set_title(name)
-        axes.set_xlabel("mm")
-        for side in ("top", "right"):
-            axes.spines[side].set_visible(False)
+        _label(axes)
     figure.colorbar(drawn, cax=figure.add_axes([0.935, 0.2, 0.015, 0.65]), extend="both",
                     label="larger principal stretch")
     tension = np.concatenate([np.asarray(m["tension"]) for m in membranes])
@@ -285,16 +265,25 @@ def _scale(membranes: Sequence[Any]) -> Normalize:
     return Normalize(low, max(high, low + 1e-3))
 
 
-def _draw(axes: Any, membrane: Any, scale: Normalize) -> PolyCollection:
-    """Membrane on axes. Triangles have no smooth edges, which would leave seams and take longer."""
+def _draw(axes: Any, membrane: Any, scale: Normalize) -> ScalarMappable:
+    """Membrane on axes: one path for all triangles of a colour, as paths of their own take a hundred times
+    longer. Triangles have no smooth edges, which would leave seams."""
     corners = np.asarray(membrane["flat"])[np.asarray(membrane["triangles"])]
     tension = np.asarray(membrane["tension"])
-    values = np.ma.array(np.asarray(membrane["stretch"])[:, 0], mask=tension == SLACK)
-    drawn = PolyCollection(corners, array=values, norm=scale, cmap="viridis", edgecolors="face",
-                           linewidths=0.2, antialiaseds=False)
-    drawn.cmap = drawn.cmap.with_extremes(bad=LOOSE)
-    axes.add_collection(drawn)
-    if (tension == WRINKLED).any():
-        axes.add_collection(PolyCollection(corners[tension == WRINKLED], facecolors=WRINKLE,
-                                           edgecolors="none", alpha=0.5, antialiaseds=False))
-    return drawn
+    colours = ScalarMappable(scale, "viridis")
+    level = np.clip(scale(np.asarray(membrane["stretch"])[:, 0]) * LEVELS, 0, LEVELS - 1).astype(int)
+    level[tension == SLACK] = LEVELS
+    paints = [*colours.cmap((np.arange(LEVELS) + 0.5) / LEVELS), LOOSE]
+    _add_triangles(axes, [(corners[level == k], paint) for k, paint in enumerate(paints)])
+    _add_triangles(axes, [(corners[tension == WRINKLED], WRINKLE)], alpha=0.5)
+    return colours
+
+
+def _add_triangles(axes: Any, painted: Sequence[tuple[np.ndarray, Any]], alpha: float = 1.0) -> None:
+    """Add triangles (N x 3 x 2) of each colour to axes."""
+    codes = np.array([Path.MOVETO, Path.LINETO, Path.LINETO, Path.CLOSEPOLY], Path.code_type)
+    shown = [(corners, paint) for corners, paint in painted if len(corners)]
+    paths = [Path(np.concatenate([corners, corners[:, :1]], axis=1).reshape(-1, 2),
+                  np.tile(codes, len(corners))) for corners, _ in shown]
+    axes.add_collection(PathCollection(paths, facecolors=[paint for _, paint in shown], edgecolors="none",
+                                       alpha=alpha, antialiaseds=False))

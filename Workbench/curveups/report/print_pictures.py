@@ -58,10 +58,7 @@ def draw_prints(axes: Any, models: Sequence[Any], bed: Sequence[float], say: Lan
     last = cell * (columns - 1, -((len(models) - 1) // columns))
     axes.text(-half[0], last[1] - half[1] * 1.02, say("on a bed of {x:g} × {y:g} mm", x=bed[0], y=bed[1]),
               va="top", color=LINE, size=size)
-    axes.set_xlim(-0.5 * cell[0], last[0] + 0.5 * cell[0])
-    axes.set_ylim(last[1] - 0.58 * cell[1], 0.58 * cell[1])
-    axes.set_aspect("equal")
-    axes.axis("off")
+    _frame(axes, (-0.5 * cell[0], last[0] + 0.5 * cell[0]), (last[1] - 0.58 * cell[1], 0.58 * cell[1]))
 
 
 def draw_print(axes: Any, model: Any, bed: Sequence[float] = (), say: Language = ENGLISH) -> None:
@@ -85,10 +82,7 @@ def draw_print(axes: Any, model: Any, bed: Sequence[float] = (), say: Language =
         turned = not fits((x, y), bed) and fits((y, x), bed)
         _draw_bed(inner, (x, y), [float(side) for side in (bed[1::-1] if turned else bed[:2])], 0.7 * size,
                   say)
-    axes.set_xlim(-x / 2 - 1.5 * gap, x / 2 + 3 * gap)
-    axes.set_ylim(-y / 2 - 2 * gap - below, y / 2 + 1.5 * gap)
-    axes.set_aspect("equal")
-    axes.axis("off")
+    _frame(axes, (-x / 2 - 1.5 * gap, x / 2 + 3 * gap), (-y / 2 - 2 * gap - below, y / 2 + 1.5 * gap))
 
 
 def _draw_bed(axes: Any, size: tuple[float, float], bed: Sequence[float], letters: float, say: Language
@@ -99,10 +93,14 @@ def _draw_bed(axes: Any, size: tuple[float, float], bed: Sequence[float], letter
         axes.add_patch(Rectangle((-w / 2, -h / 2), w, h, edgecolor=LINE, linewidth=0.8, **style))
     axes.set_title(say("on a bed of {x:g} × {y:g} mm", x=bed[0], y=bed[1]), size=letters, color=LINE, pad=2,
                    loc="left")
-    axes.set_xlim(*(side * 0.51 * max(bed[0], size[0]) for side in (-1, 1)))
-    axes.set_ylim(*(side * 0.51 * max(bed[1], size[1]) for side in (-1, 1)))
-    axes.set_aspect("equal")
+    half = 0.51 * np.maximum(bed[:2], size)
+    _frame(axes, (-half[0], half[0]), (-half[1], half[1]))
     axes.set_anchor("NW")
+
+
+def _frame(axes: Any, x: tuple[float, float], y: tuple[float, float]) -> None:
+    """Shows these ranges to scale, without ticks."""
+    axes.set(xlim=x, ylim=y, aspect="equal")
     axes.axis("off")
 
 

@@ -43,14 +43,15 @@ def rules(report: Mapping[str, Any], parameters: Any, say: Language = ENGLISH) -
         fixed = say("Turn all bodies together by a right angle: so they fit the bed. Do not scale or arrange "
                     "them, and do not turn single ones: they stand in their places, and {tiles} of them are "
                     "meant to be apart.", tiles=report["tiles"])
-    reach_out = not tilted and overhangs(report["print"]["overhang_mm"], parameters, printer)
-    added = say("Let the slicer put supports below tiles that reach out, on the bed alone, and leave these "
-                "in, too: whoever puts the print together takes them off.")
-    return [kept, *([added] if reach_out else []), say("Ship flat, between two stiff boards."), build, fixed,
-            *([say("Tilt the whole of it by 30° to 45°, so that no layer is peeled off the vat by its whole "
-                   "area, on supports of the slicer's, which touch the side on the bed alone. Wash, take "
-                   "these supports off, and cure with the bridges on.")]
-              if tilted else [])]
+    texts = [kept, say("Ship flat, between two stiff boards."), build, fixed]
+    if reaches_out(report, parameters):
+        texts.insert(1, say("Let the slicer put supports below tiles that reach out, on the bed alone, and "
+                            "leave these in, too: whoever puts the print together takes them off."))
+    if tilted:
+        texts.append(say("Tilt the whole of it by 30° to 45°, so that no layer is peeled off the vat by its "
+                         "whole area, on supports of the slicer's, which touch the side on the bed alone. "
+                         "Wash, take these supports off, and cure with the bridges on."))
+    return texts
 
 
 def has_bridges(parameters: Any) -> bool:
@@ -63,6 +64,12 @@ def is_tilted(parameters: Any) -> bool:
     """True if a layer of the print lying flat would hold to the vat by its whole area."""
     return "resin" in read_printer(parameters.get("printer"))["name"] \
         and not native.support_kind(parameters).soluble
+
+
+def reaches_out(report: Mapping[str, Any], parameters: Any) -> bool:
+    """True if tiles of a print lying flat need the slicer's supports."""
+    printer = read_printer(parameters.get("printer"))
+    return not is_tilted(parameters) and overhangs(report["print"]["overhang_mm"], parameters, printer)
 
 
 def quote(report: Mapping[str, Any], parameters: Any, quantity: int = 1, say: Language = ENGLISH,
@@ -98,7 +105,7 @@ def quote(report: Mapping[str, Any], parameters: Any, quantity: int = 1, say: La
         volumes[say(support.bodies)] = own
     parts = ", ".join(f"{kind} {volume:.1f} cm³" for kind, volume in volumes.items())
     soluble = say("{volume:.1f} cm³ (soluble)", volume=soft) if support.soluble else f"{soft:.1f} cm³"
-    reach_out = is_tilted(parameters) or overhangs(block["overhang_mm"], parameters, printer)
+    reach_out = is_tilted(parameters) or reaches_out(report, parameters)
     side = say(_SIDES[get("orientation")])
     fits = say("the print is divided among {beds} beds", beds=len(beds)) if len(beds) > 1 else \
         say("the print fits without {anchors} of its anchors", anchors=left_out) if left_out else \
@@ -141,7 +148,8 @@ def latex(report: Mapping[str, Any], parameters: Any, say: Language = ENGLISH) -
     thickness, modulus = (_either(say, *(get(f"{name}_{side}") for side in ("front", "back")))
                           for name in ("thickness", "shear_modulus"))
     return say("two sheets of latex, {thickness} mm thick, shear modulus {modulus} MPa, each at least "
-               "{x:.0f} × {y:.0f} mm, of which {grip:g} mm around are for the grip", thickness=thickness,
+               "{x:.0f} × {y:.0f} mm before it is stretched, of which {grip:g} mm around are for the grip",
+               thickness=thickness,
                modulus=modulus, x=x, y=y, grip=sheets["grip_mm"])
 
 
@@ -149,9 +157,9 @@ def print_picture(results: Results) -> Optional[Picture]:
     """All that is printed, where there are solids."""
     if not has_solids(results):
         return None
-    model, printer = results["solids"].model, read_printer(results.parameters.get("printer"))
+    model, printer = results["bodies"].model, read_printer(results.parameters.get("printer"))
     return Picture("", "All that is printed, seen from above: tiles, anchors, and what holds "
-                       "them together.", "print",
+                       "them together.", "print_pictures.print_view",
                    {"models": [model], "bed": printer["bed_mm"]})
 
 

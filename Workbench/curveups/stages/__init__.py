@@ -17,9 +17,9 @@ SETTLED = settle.STAGE.name
 RISEN = actuation.STAGE.name
 
 
-def asked_by(*commands: str) -> tuple[str, ...]:
+def stages_of(*commands: str) -> tuple[str, ...]:
     """Names of the stages that these commands run, in the order of the stages."""
-    return tuple(stage.name for stage in STAGES if set(commands) & set(stage.asked_by))
+    return tuple(stage.name for stage in STAGES if set(commands) & set(stage.commands))
 
 
 def label_of(name: str) -> str:

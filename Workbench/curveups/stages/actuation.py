@@ -93,8 +93,8 @@ class Actuation(Result):
     def pictures(self) -> Sequence[Picture]:
         if not len(self.time):
             return ()
-        said = "; ".join(map(str, self.findings()))
-        return (Picture("From flat to shape", f"{said[0].upper()}{said[1:]}. {DRAG}", "moving",
+        text = "; ".join(map(str, self.findings()))
+        return (Picture("From flat to shape", f"{text[0].upper()}{text[1:]}. {DRAG}", "actuation.moving_view",
                         {"piece": self}),)
 
     def rows(self, seconds: float) -> Sequence[Row]:
@@ -108,8 +108,8 @@ def states(block: Mapping[str, Any]) -> dict[str, Mapping[str, Any]]:
 
 def findings(block: Mapping[str, Any]) -> list[Finding]:
     """Findings of a report block."""
-    said = [_of_state(name, state, block["contacts"]) for name, state in states(block).items()]
-    return _expected(block) + said + ([Finding("actuation_stopped")] if block["stopped"] else [])
+    of_states = [_of_state(name, state, block["contacts"]) for name, state in states(block).items()]
+    return _expected(block) + of_states + ([Finding("actuation_stopped")] if block["stopped"] else [])
 
 
 def _expected(block: Mapping[str, Any]) -> list[Finding]:
@@ -155,4 +155,4 @@ def _run(inputs: Inputs, job: Job) -> Actuation:
                      np.round(frames / steps).astype("<i4"), steps)
 
 
-STAGE = Stage("actuation", ("design",), settle.PARTS, _run, label="From flat to shape", asked_by=("actuate",))
+STAGE = Stage("actuation", ("design",), settle.PARTS, _run, label="From flat to shape", commands=("actuate",))

@@ -25,13 +25,14 @@ class CutRequest(Result):
     where: str = ""
     suggested: int = 0                       # number of cuts to search for besides
     accepted: Optional[CutSearch] = None     # the search whose cuts are among the edges
+    divided: bool = False                    # the edges include borders of all pieces
 
     def __bool__(self) -> bool:
         return len(self.edges) > 0 or len(self.polylines) > 0
 
     @property
     def content(self) -> str:
-        return digest(self.edges, *self.polylines, self.suggested)
+        return digest(self.edges, *self.polylines, self.suggested, *(["divided"] if self.divided else []))
 
     def rows(self, seconds: float) -> Sequence[Row]:
         return self.accepted.rows(self.accepted.seconds) if self.accepted else ()

@@ -5,8 +5,8 @@ clearances between its tiles."""
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
-from typing import Any, Mapping, Optional, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Iterator, Mapping, Optional, Sequence
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from ..base.errors import CurveUpsError
 from ..base.findings import Finding, all_of, failed
 from ..base.native import native, translated
 from ..base.parameters import table
-from .stage import Inputs, Job, Picture, Result, Stage, digest
+from .stage import Block, Inputs, Job, Picture, Result, Stage, digest
 
 
 def design_digest(design: Any) -> str:
@@ -24,16 +24,22 @@ def design_digest(design: Any) -> str:
 
 
 @dataclass(frozen=True)
-class FinishedDesign(Result):
-    """A design after layout and repair, or one that was given."""
+class DesignResult(Result):
+    """Result of which later stages read the design alone."""
 
-    design: Any                            # native Design
-    verification: Optional[Result] = None  # of this design, where repair has computed it
-    unsettled: Optional[Finding] = None    # of its layout
+    design: Any  # native Design
 
     @property
     def content(self) -> str:
         return design_digest(self.design)
+
+
+@dataclass(frozen=True)
+class FinishedDesign(DesignResult):
+    """A design after layout and repair, or one that was given."""
+
+    verification: Optional[Result] = None  # of this design, where repair has computed it
+    unsettled: Optional[Finding] = None    # of its layout
 
     def fixes(self) -> Mapping[str, Any]:
         """Parameters whose change needs a new layout."""
@@ -43,9 +49,11 @@ class FinishedDesign(Result):
 
     def pictures(self) -> Sequence[Picture]:
         data = {"design": self.design}
-        return (Picture("Actuated", "The tiles in the target shape, front side light.", "actuated", data),
+        return (Picture("Actuated", "The tiles in the target shape, front side light.",
+                        "pictures.actuated_view", data),
                 Picture("Flat layout", "As it is printed, seen from the front; the pins that carry the "
-                                       "membrane in dark.", "flat", data))
+                                       "membrane in dark.",
+                        "pictures.flat_layout", data))
 
 
 def _finish(inputs: Inputs) -> FinishedDesign:
@@ -55,102 +63,83 @@ def _finish(inputs: Inputs) -> FinishedDesign:
 
 STAGE = Stage("design", ("layout", "repair"), frozenset(), lambda inputs, job: _finish(inputs),
               on_stop=lambda stage, inputs: _finish(inputs),
-              label="Design", asked_by=("solve",), shown=True)
+              label="Design", commands=("solve",), shown=True)
 
 
 @dataclass(frozen=True)
 class Figures(Result):
     """Counts, areas and constraints of a design under the current parameters."""
 
-    tiles: int
-    cuts: int
-    figures: dict[str, Any]
-    small_pins: tuple[tuple[int, str, float], ...]  # tile, side, mm2: from A_pin_floor to A_pin_min
-    hinges: tuple[int, ...]
-    broken: tuple[Finding, ...]  # reasons
-    unsettled: Optional[Finding]
-    relaxed: tuple[dict[str, Any], ...] = ()  # bounds that were relaxed, as in report.json
-    shortened: tuple[tuple[int, int], ...] = ()  # pairs parted by shortening an interface
-    flat_gap: tuple[float, float] = (0.0, 0.0)  # gap that bumps leave, and d_gap_min, mm
+    blocks: dict[str, Any]  # of report.json
+    broken: tuple[Finding, ...] = ()  # reasons
+    warned: tuple[Finding, ...] = ()
 
     def report(self) -> dict[str, Any]:
-        return {"tiles": self.tiles, "cuts": self.cuts, **self.figures, "relaxed": list(self.relaxed)}
-
-    def reasons(self) -> Sequence[Finding]:
-        return (*self.broken, self.unsettled) if self.broken and self.unsettled else self.broken
-
-    def warnings(self) -> Sequence[Finding]:
-        warnings: list[Finding] = []
-        if self.unsettled and not self.broken:  # nothing but the layout's quality is in doubt
-            warnings.append(Finding("layout", (), self.unsettled.figures))
-        warnings += [Finding.about("small_pin.side", [tile], side=side, tile=(tile,), area_mm2=area)
-                     for tile, side, area in self.small_pins]
-        for what in sorted({bound["what"] for bound in self.relaxed}):
-            bounds = [bound for bound in self.relaxed if bound["what"] == what]
-            warnings.append(_relaxed_warning(what, bounds))
-        left, asked = self.flat_gap
-        if left < asked:
-            warnings.append(Finding.about("flat_gap", left=left, asked=asked))
-        if self.shortened:
-            warnings.append(Finding.about("shortened", np.ravel(self.shortened), count=len(self.shortened),
-                                          pairs=self.shortened))
-        if self.hinges:
-            warnings.append(Finding.about("hinge.design", count=len(self.hinges), contacts=self.hinges))
-        return warnings
+        return self.blocks
 
 
-def _relaxed_warning(what: str, bounds: Sequence[dict[str, Any]]) -> Finding:
-    """Warning of relaxed bounds of one kind: figures of the one relaxed most, tiles of all."""
-    worst = max(bounds, key=lambda bound: abs(bound["to"] - bound["from"]))
-    return Finding.about(f"relaxed.{what}", {bound["tile"] for bound in bounds}, count=len(bounds),
-                         before=worst["from"], after=worst["to"], side=worst["side"], tile=(worst["tile"],))
+def relaxed_warnings(relaxed: Sequence[dict[str, Any]]) -> Iterator[Finding]:
+    """Warning for each kind of relaxed bounds (as in report.json): figures of the one relaxed most, tiles of
+    all."""
+    for what in sorted({bound["what"] for bound in relaxed}):
+        bounds = [bound for bound in relaxed if bound["what"] == what]
+        worst = max(bounds, key=lambda bound: abs(bound["to"] - bound["from"]))
+        yield Finding.about(f"relaxed.{what}", {bound["tile"] for bound in bounds}, count=len(bounds),
+                            before=worst["from"], after=worst["to"], side=worst["side"],
+                            tile=(worst["tile"],))
+
+
+def with_doubt(figures: Figures, unsettled: Optional[Finding]) -> Figures:
+    """Figures of a layout that did not converge: a reason beside others, a warning where only its quality is
+    in doubt."""
+    if unsettled is None:
+        return figures
+    if figures.broken:
+        return replace(figures, broken=(*figures.broken, unsettled))
+    return replace(figures, warned=(Finding("layout", (), unsettled.figures), *figures.warned))
 
 
 def _evaluate(inputs: Inputs) -> Figures:
-    finished = inputs["design"]
-    design = finished.design.with_parameters(inputs.parameters)
+    design, get = inputs["design"].design.with_parameters(inputs.parameters), inputs.parameters.get
     figures = native.evaluate_design(design)
-    constraints, floor = figures.constraints, inputs.parameters.get("A_pin_floor")
+    constraints = figures.constraints
     blocks = {
-        "contacts": len(figures.contacts),
+        "tiles": len(design.F), "cuts": len(design.cuts), "contacts": len(figures.contacts),
         "area": {"actuated_cm2": figures.actuated_area_mm2 / 100, "flat_cm2": figures.flat_area_mm2 / 100,
                  "ratio": figures.flat_area_mm2 / figures.actuated_area_mm2},
         "constraints": constraints.block,
         "truncation": {"pairs_of_type": figures.truncation_types,
                        "three_point_contacts": figures.three_point_contacts,
                        "hinges": len(figures.hinges)},
-    }
-    small = tuple((pin.tile, pin.side, pin.area) for pin in constraints.small_pins if pin.area >= floor)
-    return Figures(len(design.F), len(design.cuts), blocks, small,
-                   tuple(figures.hinges), all_of(figures.reasons), finished.unsettled,
-                   tuple(constraints.relaxed), tuple((a, b) for a, b in figures.shortened),
-                   (figures.flat_clearance_mm, inputs.parameters.get("d_gap_min")))
+        "relaxed": list(constraints.relaxed)}
+    warned = [Finding.about("small_pin.side", [pin.tile], side=pin.side, tile=(pin.tile,), area_mm2=pin.area)
+              for pin in sorted(constraints.small_pins, key=lambda pin: pin.area)
+              if pin.area >= get("A_pin_floor")]
+    warned += relaxed_warnings(constraints.relaxed)
+    if figures.flat_clearance_mm < get("d_gap_min"):  # what bumps leave of the gap
+        warned.append(Finding.about("flat_gap", left=figures.flat_clearance_mm, asked=get("d_gap_min")))
+    if figures.shortened:
+        warned.append(Finding.about("shortened", np.ravel(figures.shortened), count=len(figures.shortened),
+                                    pairs=tuple((a, b) for a, b in figures.shortened)))
+    if figures.hinges:
+        contacts = tuple(figures.hinges)
+        warned.append(Finding.about("hinge.design", count=len(contacts), contacts=contacts))
+    return with_doubt(Figures(blocks, all_of(figures.reasons), tuple(warned)), inputs["design"].unsettled)
 
 
 FIGURES = Stage("figures", ("design",), frozenset({"tiles", "layout"}),
                 lambda inputs, job: _evaluate(inputs), on_stop=lambda stage, inputs: _evaluate(inputs),
-                label="Constraints", asked_by=("solve", "verify", "build", "print"), judges=True)
+                label="Constraints", commands=("solve", "verify", "build", "print"), judges=True)
 
 
-@dataclass(frozen=True)
-class Deviation(Result):
-    """block: distances in mm; empty where the work was stopped."""
-
-    block: Mapping[str, float] = field(default_factory=dict)  # of report.json
-
-    def report(self) -> dict[str, Any]:
-        return {"deviation": dict(self.block)} if self.block else {}
-
-
-def _measure_deviation(inputs: Inputs, job: Job) -> Deviation:
-    target, design = inputs["target"], inputs["design"].design
-    V, F = target.given
-    return Deviation(native.surface_deviation(design.V, design.F, V, F, job).block)
+def _measure_deviation(inputs: Inputs, job: Job) -> Block:
+    design, (V, F) = inputs["design"].design, inputs["target"].given
+    return Block("deviation", native.surface_deviation(design.V, design.F, V, F, job).block)  # mm
 
 
 DEVIATION = Stage("deviation", ("target", "design"), frozenset(), _measure_deviation,
-                  on_stop=lambda stage, inputs: Deviation(),
-                  label="Deviation", asked_by=("solve",))
+                  on_stop=lambda stage, inputs: Block("deviation"),
+                  label="Deviation", commands=("solve",))
 
 
 @dataclass(frozen=True)
@@ -183,4 +172,4 @@ def _measure_clearances(inputs: Inputs, job: Job) -> Clearances:
 
 CLEARANCES = Stage("clearances", ("design",), frozenset({"tiles", "bodies"}), _measure_clearances,
                    on_stop=lambda stage, inputs: Clearances(note=Finding.about("stopped", stage=stage)),
-                   label="Clearances", asked_by=("solve", "verify"), judges=True)
+                   label="Clearances", commands=("solve", "verify"), judges=True)

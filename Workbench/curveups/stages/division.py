@@ -14,7 +14,7 @@ from ..base.findings import Finding, require_no_error
 from ..base.native import native, translated
 from .cut_request import CutRequest, resolve_cuts
 from .feasibility import too_stretched
-from .stage import Inputs, Job, Result, Row, Stage, digest
+from .stage import Inputs, Job, Result, Row, Stage
 
 MOST_TRIED = 12    # numbers of pieces that auto tries
 LEAST_TILES = 12   # of a piece, on average: native divide_surface raises for more pieces
@@ -25,18 +25,20 @@ class Division(Result):
     """edges: C x 2 vertices of the target, all cuts: given ones, borders of pieces, slits. given: C' x 2.
     piece: M, from 0."""
 
+    read_later = ("edges", "given")
     edges: np.ndarray
     given: np.ndarray
     piece: np.ndarray
-    asked: str = "1"
+    requested: str = "1"
     warned: tuple[Finding, ...] = ()
 
     @property
-    def content(self) -> str:
-        return digest(self.edges, self.given)
+    def count(self) -> int:
+        """Number of pieces."""
+        return int(self.piece.max(initial=-1)) + 1
 
     def rows(self, seconds: float) -> Sequence[Row]:
-        return () if self.asked == "1" else (Row("pieces", seconds),)
+        return () if self.requested == "1" else (Row("pieces", seconds),)
 
 
 def all_cuts(request: CutRequest, V: np.ndarray, F: np.ndarray, parameters: Any, job: Job) -> np.ndarray:
@@ -45,17 +47,17 @@ def all_cuts(request: CutRequest, V: np.ndarray, F: np.ndarray, parameters: Any,
 
 
 def _divide(given: np.ndarray, V: np.ndarray, F: np.ndarray, parameters: Any, job: Job) -> Division:
-    asked = parameters.get("pieces")
-    if asked == "1":
+    requested = parameters.get("pieces")
+    if requested == "1":
         return Division(given, given, np.zeros(0, np.int32))
-    if asked != "auto":
-        return _divided(given, V, F, int(asked), asked, job)
+    if requested != "auto":
+        return _divided(given, V, F, int(requested), requested, job)
     best: Optional[Division] = None
     least = np.inf
     for count in range(1, min(MOST_TRIED, max(1, len(F) // LEAST_TILES)) + 1):
         job(f"dividing into {count} piece{'s' if count > 1 else ''}")
-        division = (Division(given, given, native.pieces_of_faces(V, F, given), asked) if count == 1
-                    else _divided(given, V, F, count, asked, job))
+        division = (Division(given, given, native.pieces_of_faces(V, F, given), requested) if count == 1
+                    else _divided(given, V, F, count, requested, job))
         share = _worst(division, V, F, parameters)
         if share < least:
             best, least = division, share
@@ -65,28 +67,20 @@ def _divide(given: np.ndarray, V: np.ndarray, F: np.ndarray, parameters: Any, jo
         raise CurveUpsError(f"no division into up to {MOST_TRIED} pieces lies flat", "pieces=auto",
                             "set pieces to a number, or cut the target (--cuts)")
     if least > 0:
-        return _warned(best, "pieces.stretched", most=MOST_TRIED, count=_count(best))
+        return replace(best, warned=(Finding.about("pieces.stretched", most=MOST_TRIED, count=best.count),))
     return best
 
 
-def _divided(given: np.ndarray, V: np.ndarray, F: np.ndarray, count: int, asked: str,
+def _divided(given: np.ndarray, V: np.ndarray, F: np.ndarray, count: int, requested: str,
              job: Job) -> Division:
-    with translated(f"pieces={asked}"):
+    with translated(f"pieces={requested}"):
         pieces = native.divide_surface(V, F, given, count, job)
     edges = np.vstack([given, pieces.borders, pieces.slits]).astype(np.int32).reshape(-1, 2)
     division = Division(np.array(sorted(map(tuple, edges.tolist())), np.int32).reshape(-1, 2), given,
-                        np.asarray(pieces.piece, np.int32), asked)
-    if _count(division) == count or asked == "auto":
+                        np.asarray(pieces.piece, np.int32), requested)
+    if division.count == count or requested == "auto":
         return division
-    return _warned(division, "pieces", count=_count(division), asked=count)
-
-
-def _warned(division: Division, kind: str, **figures: Any) -> Division:
-    return replace(division, warned=(Finding.about(kind, **figures),))
-
-
-def _count(division: Division) -> int:
-    return int(division.piece.max(initial=-1)) + 1
+    return replace(division, warned=(Finding.about("pieces", count=division.count, asked=count),))
 
 
 def _worst(division: Division, V: np.ndarray, F: np.ndarray, parameters: Any) -> float:
@@ -97,13 +91,17 @@ def _worst(division: Division, V: np.ndarray, F: np.ndarray, parameters: Any) ->
     if np.isnan(stretch).any():
         return np.inf
     ranges = np.stack([figures.least_stretch, figures.most_stretch], axis=1)
-    pieces = (division.piece == number for number in range(_count(division)))
+    pieces = (division.piece == number for number in range(division.count))
     return max(float(too_stretched(stretch[own], ranges[own]).mean()) for own in pieces)
 
 
 def _run(inputs: Inputs, job: Job) -> Division:
     V, F = inputs["target smoothing"].V, inputs["target"].F
-    return _divide(resolve_cuts(inputs["cut request"], V, F), V, F, inputs.parameters, job)
+    request = inputs["cut request"]
+    edges = resolve_cuts(request, V, F)
+    if request.divided and inputs.parameters.get("pieces") != "1":
+        return Division(edges, edges, native.pieces_of_faces(V, F, edges), inputs.parameters.get("pieces"))
+    return _divide(edges, V, F, inputs.parameters, job)
 
 
 def _parts(parameters: Any) -> frozenset[str]:
@@ -112,18 +110,15 @@ def _parts(parameters: Any) -> frozenset[str]:
 
 
 STAGE = Stage("division", ("target", "target smoothing", "cut request"), _parts, _run,
-              label="Pieces", asked_by=("solve",))
+              label="Pieces", commands=("solve",))
 
 
 @dataclass(frozen=True)
 class Cuts(Result):
     """edges: C x 2 vertex pairs of the target, each once, ascending."""
 
+    read_later = ("edges",)
     edges: np.ndarray
-
-    @property
-    def content(self) -> str:
-        return digest(self.edges)
 
 
 def _check(inputs: Inputs, job: Job) -> Cuts:
@@ -134,4 +129,4 @@ def _check(inputs: Inputs, job: Job) -> Cuts:
 
 
 CUTS = Stage("cuts", ("target", "target smoothing", "division"), frozenset({"tiles"}), _check,
-             label="Cuts", asked_by=("solve",), shown=True)
+             label="Cuts", commands=("solve",), shown=True)

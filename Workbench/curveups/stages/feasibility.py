@@ -9,6 +9,7 @@ which layouts begin. The limits of these estimates are those at which designs be
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from typing import Any, Iterator, Optional, Sequence
 
@@ -18,7 +19,7 @@ from ..base.findings import Finding, Value
 from ..base.native import native
 from ..base.sentences import MARGINS
 from .smoothing import smooth_for_pins
-from .stage import Inputs, Job, Result, Stage, digest
+from .stage import Inputs, Job, Result, Stage
 
 _SIDES = ("front", "back")
 LEAST_BACK_FACE = 1e-3  # of the front face's length
@@ -75,6 +76,7 @@ class TileFigure(Value):
 class Feasibility(Result):
     """M tiles, N contacts. blocked: in the order of tiles; a tile may have several obstacles."""
 
+    read_later = ("V", "F", "blocked")
     V: np.ndarray                 # after smoothing for pins
     F: np.ndarray
     blocked: tuple[Obstacle, ...]
@@ -84,25 +86,17 @@ class Feasibility(Result):
     dihedral_margin: np.ndarray   # N, degrees by which it could grow before a back face vanishes
     least_dihedral_margin: np.ndarray  # M, degrees, over the tile's contacts; NaN: it has none
     back_scale: np.ndarray        # M: back face's length over the front's
-    interface_share: np.ndarray   # N: interface's back edge over its front edge; NaN: no back faces
     pin_area_margin: np.ndarray   # M x 2, mm2: largest pin's area less A_pin_min; NaN: no back faces
     membrane_clearance: np.ndarray  # M x 2, mm: of pins' tops over corners; NaN: no back faces
     stretch: np.ndarray           # M, of the conformal map; NaN: there is none
     stretch_range: np.ndarray     # M x 2: below the first the tile has no gaps, above the other its
     #                               membranes are slack
-    trimmed: np.ndarray           # pairs of tiles without a common vertex that are cut off
-    overlapping: np.ndarray       # pairs that no plane parts
-    meeting: np.ndarray           # other pairs without a common vertex of which pins run into one another
-    reached: int = 0              # pin sides for which vertices were moved
+    sharpest: Optional[Finding] = None  # of folds that leave no room for back faces or pins
 
     @property
     def feasible(self) -> bool:
         """True without obstacles; contact forces are not considered."""
         return not self.blocked
-
-    @property
-    def content(self) -> str:
-        return digest(self.V, self.F, self.blocked)
 
 
 def examine(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any) -> Feasibility:
@@ -112,13 +106,13 @@ def examine(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any) ->
     margins = native.target_figures(V, F, edges, parameters)
     contacts, dihedral_margin = np.asarray(margins.contacts), np.asarray(margins.dihedral_margin)
     overlapping = np.array(margins.overlapping, np.int32).reshape(-1, 2)
+    meeting = overlapping[:0]  # pairs whose pins meet, without those whose bodies overlap
+    pin_area, clearance = np.full((2, count, 2), np.nan)
     if margins.shaped:
-        pin_area, share = np.asarray(margins.pin_area), np.asarray(margins.interface_share)
-        clearance = np.asarray(margins.membrane_clearance)
-        meeting = _meeting(V, F, edges, parameters, overlapping)
-    else:
-        pin_area, share = np.full((count, 2), np.nan), np.full(len(contacts), np.nan)
-        clearance, meeting = np.full((count, 2), np.nan), overlapping
+        pin_area, clearance = np.asarray(margins.pin_area), np.asarray(margins.membrane_clearance)
+        known = set(map(tuple, np.sort(overlapping, axis=1).tolist()))
+        facing = [pair for pair in native.facing_pins(V, F, edges, parameters) if tuple(pair) not in known]
+        meeting = np.array(facing, np.int32).reshape(-1, 2)
     least_dihedral_margin = np.full(count, np.inf)
     for side in range(2):
         np.minimum.at(least_dihedral_margin, contacts[:, side], dihedral_margin)
@@ -131,7 +125,8 @@ def examine(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any) ->
         *_in_pairs("overlap.bodies", overlapping, True), *_in_pairs("overlap.pins", meeting, False),
         *(_obstacle("closed.tile", tile) for tile in np.flatnonzero(np.isnan(stretch))),
         *_too_small("membrane.room", "room", clearance, SAG * get("H_pin"), False),
-        *_badly_stretched(stretch, ranges)]
+        *(_obstacle("stretch", tile, False, stretch=float(stretch[tile]), low=float(ranges[tile, 0]),
+                    high=float(ranges[tile, 1])) for tile in np.flatnonzero(too_stretched(stretch, ranges)))]
     with np.errstate(divide="ignore", invalid="ignore"):  # where not even the smallest pins hold a membrane
         of_least, of_most = (stretch[:, None] / ranges).T
     pairs = np.concatenate([overlapping, meeting]).ravel()
@@ -147,8 +142,7 @@ def examine(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any) ->
         V, F, tuple(sorted(blocked, key=lambda obstacle: obstacle.tile)),
         tuple(TileFigure(name, *figure) for name, figure in zip(MARGINS, figures)), contacts,
         np.asarray(margins.dihedral), dihedral_margin, least_dihedral_margin, np.asarray(margins.back_scale),
-        share, pin_area - get("A_pin_min"), clearance, stretch, ranges,
-        np.array(margins.trimmed, np.int32).reshape(-1, 2), overlapping, meeting)
+        pin_area - get("A_pin_min"), clearance, stretch, ranges)
 
 
 def _obstacle(kind: str, tile: int, certain: bool = True, **figures: Any) -> Obstacle:
@@ -170,30 +164,70 @@ def _in_pairs(kind: str, pairs: np.ndarray, certain: bool) -> Iterator[Obstacle]
         yield _obstacle(kind, a, certain, other=(int(b),))
 
 
-def _meeting(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, others: np.ndarray
-             ) -> np.ndarray:
-    """Pairs whose pins meet, without the pairs whose bodies overlap (`others`)."""
-    known = {tuple(sorted(pair)) for pair in others.tolist()}
-    pairs = [pair for pair in native.facing_pins(V, F, edges, parameters) if tuple(pair) not in known]
-    return np.array(pairs, np.int32).reshape(-1, 2)
-
-
-def _badly_stretched(stretch: np.ndarray, ranges: np.ndarray) -> Iterator[Obstacle]:
-    if np.isnan(stretch).any():  # what has to be cut open first
-        return
-    for tile in np.flatnonzero(too_stretched(stretch, ranges)):
-        low, high = ranges[tile]
-        yield _obstacle("stretch", tile, certain=False, stretch=float(stretch[tile]), low=float(low),
-                        high=float(high))
-
-
 def too_stretched(stretch: np.ndarray, ranges: np.ndarray) -> np.ndarray:
     """True for each tile of a map stretched beyond its range (Feasibility.stretch_range); false for all where
-    a layout evens that out."""
+    a layout evens that out, or where there is no map of some."""
     with np.errstate(invalid="ignore"):
         slack, narrow = stretch > TOO_SLACK * ranges[:, 1], stretch < TOO_NARROW * ranges[:, 0]
     # One scale for the whole map: where it must be too large for some, it is too small for others.
-    return (slack | narrow) & (slack.mean() > SHARE) & (narrow.mean() > SHARE)
+    uneven = slack.mean() > SHARE and narrow.mean() > SHARE and not np.isnan(stretch).any()
+    return (slack | narrow) & uneven
+
+
+def sharpest_fold(margins: Feasibility, parameters: Any) -> Optional[Finding]:
+    """Finding on the sharpest of the folds that leave a tile without a back face or room for pins, and on a
+    radius that would do; None where no fold is that sharp."""
+    tiles = {obstacle.tile for obstacle in margins.blocked if obstacle.obstacle in ("fold", "pin")}
+    if not tiles:
+        return None
+    sizes = {"L": parameters.get("L"), "H_body": parameters.get("H_body")}
+    least = least_radius(parameters)
+    if math.isinf(least):
+        return Finding.about("sharp.flat", tiles, **sizes)
+    corners, at = margins.V[margins.F], margins.contacts
+    double = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+    shared = (margins.F[at[:, 0], :, None] == margins.F[at[:, 1], None, :]).any(axis=2)
+    ends = margins.V[margins.F[at[:, 0]][shared].reshape(-1, 2)]
+    # Between centroids, across the edge: thirds of both heights.
+    across = double[at].sum(axis=1) / (3 * np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1))
+    bend = np.radians(np.abs(margins.dihedral)) / across
+    bend[~np.isin(at, list(tiles)).any(axis=1)] = 0
+    if bend.max(initial=0) * least <= 1:  # the tiles themselves are too narrow
+        return None
+    contact = int(np.argmax(bend))
+    tile = next(int(tile) for tile in at[contact] if int(tile) in tiles)
+    return Finding.about("sharp", [tile], tile=(tile,), radius=1 / float(bend[contact]), least=least, **sizes)
+
+
+def least_radius(parameters: Any) -> float:
+    """Least radius (mm) of a cylinder on which equilateral tiles have back faces and room for pins, whether
+    their edges run along it or around it; infinite where they have none on a plane."""
+    L, wanted = parameters.get("L"), parameters.get("A_pin_floor")
+    rows = np.arange(7)
+    a, b = np.meshgrid(rows, rows, indexing="ij")
+    plane = L * np.stack([a + b / 2, math.sqrt(3) / 2 * b], axis=-1).reshape(-1, 2)
+    first = (7 * a + b)[:-1, :-1].ravel()
+    F = np.concatenate([np.stack([first, first + 7, first + 1], axis=1),
+                        np.stack([first + 7, first + 8, first + 1], axis=1)]).astype(np.int32)
+    inner = ~np.isin(F, np.flatnonzero((np.minimum(a, b) == 0) | (np.maximum(a, b) == 6))).any(axis=1)
+
+    def has_room(radius: float) -> bool:
+        for (around, along), tiles in ((plane.T, F), (plane.T[::-1], F[:, ::-1])):
+            angle = (around - around.mean()) / radius
+            V = np.stack([radius * np.sin(angle), along, radius * np.cos(angle)], axis=1)
+            figures = native.target_figures(V, tiles, np.empty((0, 2), np.int32), parameters)
+            if not figures.shaped or (np.asarray(figures.back_scale)[inner] < LEAST_BACK_FACE).any() or (
+                    np.asarray(figures.pin_area)[inner] < wanted).any():
+                return False
+        return True
+
+    sharp, wide = L / 1.5, 1000 * L  # an edge turns by less than a right angle
+    if not has_room(wide):
+        return math.inf
+    while wide > 1.02 * sharp:
+        middle = math.sqrt(sharp * wide)
+        sharp, wide = (sharp, middle) if has_room(middle) else (middle, wide)
+    return wide
 
 
 def _run(inputs: Inputs, job: Job) -> Feasibility:
@@ -203,10 +237,10 @@ def _run(inputs: Inputs, job: Job) -> Feasibility:
     if not any(obstacle.obstacle == "fold" for obstacle in margins.blocked):
         moved_V, moved = smooth_for_pins(V, F, edges, inputs.parameters, job)
         if moved:
-            return replace(examine(moved_V, F, edges, inputs.parameters), reached=len(moved["pin_sides"]))
-    return margins
+            margins = examine(moved_V, F, edges, inputs.parameters)
+    return replace(margins, sharpest=sharpest_fold(margins, inputs.parameters))
 
 
 STAGE = Stage("feasibility", ("target", "target smoothing", "division"),
               frozenset({"target", "tiles", "layout", "repair"}), _run,
-              label="Feasibility", asked_by=("check",), shown=True)
+              label="Feasibility", commands=("check",), shown=True)

@@ -9,22 +9,17 @@ from typing import Any, Mapping, Optional, Sequence
 
 from ..base.findings import Finding
 from ..base.native import native
-from .design import design_digest
-from .stage import Inputs, Job, Result, Row, Stage
+from .design import DesignResult
+from .stage import Inputs, Job, Row, Stage
 
 
 @dataclass(frozen=True)
-class Layout(Result):
+class Layout(DesignResult):
     """The design after layout."""
 
-    design: Any             # native Design
     was_stopped: bool
     block: Mapping[str, Any]  # of report.json
     flatten_seconds: float    # up to the first step
-
-    @property
-    def content(self) -> str:
-        return design_digest(self.design)
 
     @property
     def converged(self) -> bool:
@@ -55,8 +50,10 @@ def _run(inputs: Inputs, job: Job) -> Layout:
             first.append(time.perf_counter() - start)
         return job(what, fraction)
 
+    followed = target.followed  # of this run, or of one before
+    follows = followed is not None and followed.earlier is inputs["source"].follows
     laid_out = native.solve_layout(smoothed.V, target.F, edges, inputs.parameters, progress,
-                                   job.listener("layout"))
+                                   job.listener("layout"), followed.start if follows else None)
     moved_from = None if smoothed.moved is None else (inputs["target smoothing"].V, target.F)
     design = native.Design(inputs["source"].name, inputs.parameters, smoothed.V, target.F, laid_out.T,
                            laid_out.q, edges, moved_from)
@@ -64,6 +61,4 @@ def _run(inputs: Inputs, job: Job) -> Layout:
 
 
 STAGE = Stage("layout", ("source", "target", "target smoothing", "cuts", "pin smoothing"),
-              frozenset({"tiles", "layout"}),
-              _run,
-              label="Layout", asked_by=("solve",), shown=True)
+              frozenset({"tiles", "layout"}), _run, label="Layout", commands=("solve",), shown=True)

@@ -3,54 +3,24 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any, Optional
+from typing import Any
 
 import numpy as np
 
-from ..base.findings import Finding, Value
+from ..base.findings import Finding
 from ..base.native import native
 from .cut_request import interior_edges
-from .stage import Inputs, Job, Result, Stage
+from .stage import Block, Inputs, Job, Stage
 
 
-@dataclass(frozen=True)
-class Piece(Value):
-    """Tiles joined by contacts. Normal forces at its contacts, N: mean, least, and f_min by the piece's own
-    mean; None without verification. valid: None where the design is not judged. reasons: with those of the
-    whole design."""
-
-    first_tile: int
-    tiles: int
-    contacts: int
-    actuated_cm2: float
-    normal_mean: Optional[float] = None
-    normal_min: Optional[float] = None
-    f_min: Optional[float] = None
-    valid: Optional[bool] = None
-    reasons: tuple[Finding, ...] = ()
-
-
-@dataclass(frozen=True)
-class Pieces(Result):
-    """Pieces in the order of their lowest tiles, as files and labels number them; empty for one piece."""
-
-    pieces: tuple[Piece, ...] = ()
-    broken: tuple[Finding, ...] = ()  # reasons besides those of the whole design
-
-    def report(self) -> dict[str, Any]:
-        if not self.pieces:
-            return {}
-        return {"pieces": [{"piece": number, **vars(piece), "reasons": list(map(str, piece.reasons))}
-                           for number, piece in enumerate(self.pieces, 1)]}
-
-
-def _run(inputs: Inputs, job: Job) -> Pieces:
+def _run(inputs: Inputs, job: Job) -> Block:
+    """Block of report.json: pieces in the order of their lowest tiles, as files and labels number them; empty
+    for one piece. A piece's `valid` and `reasons` count those of the whole design, too."""
     design, verification = inputs["design"].design, inputs["verification"]
     piece = np.asarray(native.pieces_of_faces(design.V, design.F, design.cuts))
     count = int(piece.max(initial=0)) + 1
     if count == 1:
-        return Pieces()
+        return Block("pieces")
     corners = design.V[design.F]
     cross = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     area = np.linalg.norm(cross, axis=1) / 200  # cm2
@@ -58,7 +28,7 @@ def _run(inputs: Inputs, job: Job) -> Pieces:
     pairs = np.asarray(verification.arrays.get("contact_tiles", ()), int).reshape(-1, 2)
     reasons_of_all = (*inputs["figures"].reasons(), *verification.reasons())
     judged = verification.judged and not verification.failure
-    pieces: list[Piece] = []
+    pieces: list[dict[str, Any]] = []
     weak: list[Finding] = []
     for number in range(count):
         tiles, contacts = np.flatnonzero(piece == number), np.flatnonzero(piece[pairs[:, 0]] == number)
@@ -75,12 +45,14 @@ def _run(inputs: Inputs, job: Job) -> Pieces:
                 weak.append(Finding.about("piece_weak", (a, b), piece=number + 1, contact=((a, b),),
                                           least=least, f_min=f_min))
                 reasons.append(weak[-1])
-        pieces.append(Piece(int(tiles[0]), len(tiles), len(interior_edges(design.F[tiles]) - cut),
-                            float(area[tiles].sum()), mean, least, f_min, not reasons if judged else None,
-                            tuple(reasons)))
-    return Pieces(tuple(pieces), tuple(weak))
+        pieces.append({"piece": number + 1, "first_tile": int(tiles[0]), "tiles": len(tiles),
+                       "contacts": len(interior_edges(design.F[tiles]) - cut),
+                       "actuated_cm2": float(area[tiles].sum()), "normal_mean": mean, "normal_min": least,
+                       "f_min": f_min, "valid": not reasons if judged else None,
+                       "reasons": list(map(str, reasons))})
+    return Block("pieces", pieces, broken=tuple(weak))
 
 
 STAGE = Stage("pieces", ("design", "figures", "verification"), frozenset({"pieces", "physics"}), _run,
-              on_stop=lambda stage, inputs: Pieces(),
-              label="Pieces", asked_by=("solve", "verify"), judges=True)
+              on_stop=lambda stage, inputs: Block("pieces"),
+              label="Pieces", commands=("solve", "verify"), judges=True)

@@ -9,7 +9,7 @@ from typing import Any, Optional, Sequence
 from ..base.errors import CurveUpsError
 from ..base.findings import Finding, all_of
 from ..base.native import native
-from .design import design_digest
+from .design import DesignResult, design_digest
 from .stage import Inputs, Job, Result, Row, Stage, moved_vertices
 from .verification import verification_of
 
@@ -17,20 +17,15 @@ _ADVICE = ("advice.cut_gaps", "advice.pin_room", "advice.pull")  # where contact
 
 
 @dataclass(frozen=True)
-class Repair(Result):
+class Repair(DesignResult):
     """The design after repair; the layout's own where none was needed."""
 
-    design: Any
     verification: Optional[Result] = None     # of the design, where it is known
     status: str = ""                          # empty where repair did not run
     block: Optional[dict] = None              # of report.json
     blocked: tuple[Finding, ...] = ()         # why contacts stay weak
     suggestions: tuple[Finding, ...] = ()
     warned: tuple[Finding, ...] = ()
-
-    @property
-    def content(self) -> str:
-        return design_digest(self.design)
 
     @property
     def stopped(self) -> bool:
@@ -85,4 +80,4 @@ STAGE = Stage("repair", ("layout", "verification of the layout"),
               frozenset({"tiles", "layout", "bodies", "physics", "repair"}), _run, _failed,
               lambda stage, inputs: Repair(inputs["layout"].design,
                                            inputs["verification of the layout"].verdict),
-              label="Repair", asked_by=("solve",))
+              label="Repair", commands=("solve",))

@@ -75,7 +75,7 @@ class Settled(Result):
         marked = [tuple(pair) for pair in self.block["open_contacts"]]
         return (Picture("Settled shape", "Virtual scan: mean distance of each tile from the design's surface "
                         "once the tiles have settled." + (" Open contacts are marked." if marked else ""),
-                        "flat",
+                        "pictures.flat_layout",
                         {"design": self.design, "values": self.deviation, "label": "mm", "marked": marked}),)
 
 
@@ -121,5 +121,5 @@ def _failed(error: CurveUpsError, inputs: Inputs) -> Settled:
 PARTS = frozenset({"tiles", "bodies", "physics", "settle"})
 STAGE = Stage("settle", ("design", "verification"), PARTS, _run, _failed,
               lambda stage, inputs: Settled(note=_open(inputs, Finding.about("stopped", stage=stage))),
-              label="Settled forces", asked_by=("settle", "verify"),
+              label="Settled forces", commands=("settle", "verify"),
               judges=lambda values: values.get("margin") == "require")

@@ -4,58 +4,43 @@
 A sheet is held by rows of teeth around an open window, which is as large as the anchors' box and a margin.
 The sheet has a grid of lines, as far apart as the teeth over tau: stretched rightly, each tooth meets a
 crossing. Hands hold the sheet outside the outer teeth. The load on a side is the tension of a sheet stretched
-alike in both directions (Anchoring) times the window's length there.
+alike in both directions times the window's length there.
 """
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
-from typing import Any, Mapping, Sequence
+from typing import Any, Sequence
 
 from ..base.findings import Finding
 from ..base.native import native
-from .stage import Inputs, Job, Result, Stage
+from .stage import Block, Inputs, Job, Stage
 
 SIDES = ("front", "back")
 
 
-@dataclass(frozen=True)
-class Anchoring(Result):
+def _load_anchors(inputs: Inputs, job: Job) -> Block:
     """Pull (N) and shear (MPa) on the glue of one anchor, front and back; empty without anchors.
 
     Before the surplus is cut off it pulls at the outline (paper, section 6.2) with the tension of a sheet
     that is stretched alike in both directions: of a neo-Hookean one T = G h (1 - tau^-6) N/mm, from the
     Cauchy stress G (tau^2 - tau^-4) on the thickness h / tau^2. An anchor takes that along its spacing, with
     the glue on one of its ends for each sheet."""
-
-    block: Mapping[str, Any] = field(default_factory=dict)
-    strength: float = math.inf  # MPa
-
-    def report(self) -> dict[str, Any]:
-        return {"anchors": dict(self.block)} if self.block else {}
-
-    def warnings(self) -> Sequence[Finding]:
-        worst = max(self.block.get("glue_shear_mpa", (0.0,)))
-        if worst <= self.strength:
-            return ()
-        return (Finding.about("anchor", pull=max(self.block["pull_n"]), shear=worst, limit=self.strength),)
-
-
-def _load_anchors(inputs: Inputs, job: Job) -> Anchoring:
     get = inputs.parameters.get
     if not get("anchors"):
-        return Anchoring()
+        return Block("anchors")
     tension = native.surplus_tension(inputs.parameters)
-    pull = [native.ANCHOR_SPACING * each for each in tension]
-    area = math.pi * get("anchor_radius") ** 2
-    return Anchoring({"surplus_tension_n_per_mm": list(tension), "pull_n": pull,
-                      "glue_shear_mpa": [each / area for each in pull]}, get("glue_strength"))
+    pulls = [native.ANCHOR_SPACING * force for force in tension]
+    shears = [pull / (math.pi * get("anchor_radius") ** 2) for pull in pulls]
+    overload = Finding.about("anchor", pull=max(pulls), shear=max(shears), limit=get("glue_strength"))
+    return Block("anchors", {"surplus_tension_n_per_mm": list(tension), "pull_n": pulls,
+                             "glue_shear_mpa": shears},
+                 (overload,) if max(shears) > get("glue_strength") else ())
 
 
 ANCHORING = Stage("anchoring", (), frozenset({"layout", "support", "physics"}), _load_anchors,
-                  on_stop=lambda stage, inputs: Anchoring(),
-                  label="Anchors", asked_by=("solve",))
+                  on_stop=lambda stage, inputs: Block("anchors"),
+                  label="Anchors", commands=("solve",))
 
 
 TOOTH_PITCH = 15.0  # mm, from tooth to tooth of a stretching ring
@@ -66,18 +51,8 @@ CONTROL = 10.0      # mm, side of a control square, not stretched
 ROUND = 5.0         # mm, to which cutting sizes are rounded up
 
 
-@dataclass(frozen=True)
-class Sheets(Result):
-    """block: lengths in mm, x and y of the print; empty without bodies."""
-
-    block: Mapping[str, Any] = field(default_factory=dict)
-
-    def report(self) -> dict[str, Any]:
-        return {"sheets": dict(self.block)} if self.block else {}
-
-
 def sheets(box: Sequence[float], parameters: Any) -> dict[str, Any]:
-    """Block of report.json for a print with this box (mm)."""
+    """Block of report.json for a print with this box; lengths in mm, x and y of the print."""
     get = parameters.get
     tau = get("tau")
     window = [math.ceil((side + 2 * MARGIN) / TOOTH_PITCH) * TOOTH_PITCH for side in box]
@@ -93,16 +68,17 @@ def sheets(box: Sequence[float], parameters: Any) -> dict[str, Any]:
                        for side, pull in zip(SIDES, native.surplus_tension(parameters))}}
 
 
-def _run(inputs: Inputs, job: Job) -> Sheets:
+def _run(inputs: Inputs, job: Job) -> Block:
     model = inputs["bodies"].model
     if model is None:
-        return Sheets()
+        return Block("sheets")
     anchors = model.volumes["anchors"] > 0
     points, _, body = model.mesh("anchors" if anchors else "tiles")
     # Print and window are centred on the origin: the farthest point decides.
     x, y = (2 * float(abs(points[:, axis]).max()) for axis in (0, 1))
-    return Sheets({"anchors": int(body.max()) + 1 if anchors else 0, **sheets((x, y), inputs.parameters)})
+    return Block("sheets", {"anchors": int(body.max()) + 1 if anchors else 0,
+                            **sheets((x, y), inputs.parameters)})
 
 
 STAGE = Stage("sheets", ("bodies",), frozenset({"layout", "physics"}), _run,
-              on_stop=lambda stage, inputs: Sheets(), label="Sheets of latex", asked_by=("print",))
+              on_stop=lambda stage, inputs: Block("sheets"), label="Sheets of latex", commands=("print",))

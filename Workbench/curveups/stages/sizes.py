@@ -17,7 +17,7 @@ from ..base.parameters import parameter, with_values
 from .cut_request import CutRequest
 from .division import all_cuts
 from .feasibility import Feasibility, examine
-from .stage import Inputs, Job, Result, Stage, digest
+from .stage import Inputs, Job, Result, Stage
 from .target import remesh
 
 # Lengths are tried up to this factor from the one that is set, those that make more tiles than there are up
@@ -34,10 +34,6 @@ class Limits(Result):
     H_body: Optional[float] = None
     remeshed: bool = True  # lengths were tried
     was_stopped: bool = False
-
-    @property
-    def content(self) -> str:
-        return digest(self.L, self.H_body)
 
     def findings(self, L: float, H_body: float) -> Iterator[Finding]:
         """Findings for tiles of this length and thickness, mm."""
@@ -137,4 +133,4 @@ def _run(inputs: Inputs, job: Job) -> Limits:
 STAGE = Stage("sizes", ("target", "target smoothing", "cut request", "division", "feasibility"),
               frozenset({"target", "pieces", "tiles", "layout"}), _run,
               on_stop=lambda stage, inputs: Limits(was_stopped=True),
-              label="Sizes", asked_by=("sizes",))
+              label="Sizes", commands=("sizes",))

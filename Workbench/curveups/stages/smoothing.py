@@ -5,7 +5,7 @@ smoothing moves some a little, before the layout, where dihedral angles leave pi
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Iterator, Optional, Sequence
+from typing import Any, Optional, Sequence
 
 import numpy as np
 
@@ -13,7 +13,7 @@ from ..base.errors import tile_list
 from ..base.findings import Finding, require_no_error
 from ..base.native import native
 from .cut_request import mesh_edges
-from .stage import Inputs, Job, Picture, Result, Row, Stage, digest, moved_vertices
+from .stage import Inputs, Job, Picture, Result, Row, Stage, moved_vertices
 
 # Cuts are chosen on the smoothed target; they leave tiles more room than contacts do.
 _NO_CUTS = np.zeros((0, 2), np.int32)
@@ -23,15 +23,12 @@ _NO_CUTS = np.zeros((0, 2), np.int32)
 class TargetSmoothing(Result):
     """V: N x 3, vertices of the target from now on. The others are set with mend=on."""
 
+    read_later = ("V",)
     V: np.ndarray
     block: Optional[dict] = None          # of report.json
     warned: tuple[Finding, ...] = ()
     F: Optional[np.ndarray] = None        # M x 3, where mending changed anything
     distance: Optional[np.ndarray] = None  # N, mm, of the vertices from the given surface
-
-    @property
-    def content(self) -> str:
-        return digest(self.V)
 
     def report(self) -> dict[str, Any]:
         return {} if self.block is None else {"mending": self.block}
@@ -40,10 +37,11 @@ class TargetSmoothing(Result):
         return () if self.block is None else (Row("target smoothing", seconds),)
 
     def pictures(self) -> Sequence[Picture]:
-        if self.distance is None:
+        if self.distance is None or self.F is None:
             return ()
+        of_tiles = self.distance[self.F].max(axis=1)
         return (Picture("Mending", "How far the mended target is from what was given, from both sides.",
-                        "movement", {"V": self.V, "F": self.F, "values": self.distance}),)
+                        "pictures.distance_view", {"V": self.V, "F": self.F, "values": of_tiles}),)
 
 
 def _smooth_target(inputs: Inputs, job: Job) -> TargetSmoothing:
@@ -89,7 +87,7 @@ def _far(V: np.ndarray, target: Any, most: float, job: Job) -> list[Finding]:
 
 
 TARGET = Stage("target smoothing", ("target",), frozenset({"target", "tiles"}), _smooth_target,
-               label="Mending", asked_by=("solve",), shown=True)
+               label="Mending", commands=("solve",), shown=True)
 
 
 _SAME_THICKNESS = 0.05  # relative difference of a wall and the tiles in its place
@@ -102,20 +100,17 @@ MOST_SHORT = 0.25
 class PinSmoothing(Result):
     """V: N x 3, vertices of the tiles from now on."""
 
+    read_later = ("V",)
     V: np.ndarray
     warned: tuple[Finding, ...]
-    asked: bool = False
+    requested: bool = False
     moved: Optional[dict] = None        # block of report.json, where vertices moved
-
-    @property
-    def content(self) -> str:
-        return digest(self.V)
 
     def report(self) -> dict[str, Any]:
         return {} if self.moved is None else {"pin_smoothing": self.moved}
 
     def rows(self, seconds: float) -> Sequence[Row]:
-        return (Row("pin smoothing", seconds),) if self.asked else ()
+        return (Row("pin smoothing", seconds),) if self.requested else ()
 
 
 def smooth_for_pins(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any,
@@ -140,15 +135,11 @@ def _run(inputs: Inputs, job: Job) -> PinSmoothing:
     target, edges, parameters = inputs["target"], inputs["cuts"].edges, inputs.parameters
     V, moved = smooth_for_pins(inputs["target smoothing"].V, target.F, edges, parameters, job)
     warned = require_no_error(native.check_target(V, target.F, edges, parameters), inputs.where)
-    warned += tuple(_other_thickness(target.wall, parameters))
+    wall, H_body = target.wall, parameters.get("H_body")
+    if wall is not None and abs(wall - H_body) > _SAME_THICKNESS * wall:
+        warned += (Finding.about("wall", wall=wall, H_body=H_body),)
     return PinSmoothing(V, warned, parameters.get("run_repair"), moved)
 
 
-def _other_thickness(wall: Optional[float], parameters: Any) -> Iterator[Finding]:
-    H_body = parameters.get("H_body")
-    if wall is not None and abs(wall - H_body) > _SAME_THICKNESS * wall:
-        yield Finding.about("wall", wall=wall, H_body=H_body)
-
-
 STAGE = Stage("pin smoothing", ("target", "target smoothing", "cuts"), frozenset({"tiles", "repair"}), _run,
-              label="Feasibility smoothing", asked_by=("solve",), shown=True)
+              label="Feasibility smoothing", commands=("solve",), shown=True)

@@ -3,12 +3,16 @@
 
 from __future__ import annotations
 
+import io
 import json
+import threading
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, ClassVar, Iterable, Mapping, Optional, Sequence
+from typing import Any, ClassVar, Iterable, Iterator, Mapping, Optional, Sequence
 
-from ..base.findings import Finding, all_of, failed
+from ..base import freecad_session
+from ..base.errors import CurveUpsError
+from ..base.findings import Finding, failed
 from ..base.native import native
 from ..base.parameters import parameter
 from .stage import Inputs, Job, Result, Row, Stage
@@ -20,13 +24,19 @@ GLUED_FIRST = "front"  # side: a slab lies below its pin tops; bridges are broke
 
 @dataclass(frozen=True)
 class Bodies(Result):
-    """All printed bodies; native code builds their solids at the first use."""
+    """All printed bodies."""
 
     lasting: ClassVar[bool] = False
     model: Optional[Any] = None        # native PrintModel; None where the work was stopped or failed
     warned: tuple[Finding, ...] = ()
     broken: tuple[Finding, ...] = ()   # why there are none
     joints: Mapping[str, Any] = field(default_factory=dict)  # block of report.json, with joint=holes
+
+    @property
+    def kinds(self) -> tuple[str, ...]:
+        """Kinds that have bodies."""
+        volumes = self.model.volumes if self.model else {}
+        return tuple(kind for kind in KINDS if volumes.get(kind, 0) > 0)
 
     def report(self) -> dict[str, Any]:
         return {"joints": dict(self.joints)} if self.joints else {}
@@ -37,33 +47,69 @@ class Bodies(Result):
 
 def _make(inputs: Inputs, job: Job) -> Bodies:
     model = native.make_print_model(inputs["design"].design.with_parameters(inputs.parameters), job)
-    joints = joints_of(model, inputs.parameters)
-    return Bodies(model, (*_lacks(model), *not_joined(joints, inputs.parameters)), joints=joints)
+    joints = _joints(model, inputs.parameters)
+    return Bodies(model, (*_lacks(model), *_not_joined(joints)), joints=joints)
 
 
 @dataclass(frozen=True)
 class Solids(Result):
-    """Solids of all bodies; no model where there are none."""
+    """Solids of all bodies as Shapes of FreeCAD, by kind; empty where there are none."""
 
     lasting: ClassVar[bool] = False
-    model: Optional[Any] = None
+    shapes: Mapping[str, Sequence[Any]] = field(default_factory=dict)
     broken: tuple[Finding, ...] = ()
 
-    @property
-    def kinds(self) -> tuple[str, ...]:
-        """Kinds that have bodies."""
-        volumes = self.model.volumes if self.model else {}
-        return tuple(kind for kind in KINDS if volumes.get(kind, 0) > 0)
-
     def rows(self, seconds: float) -> Sequence[Row]:
-        return (Row("solids", seconds),) if self.model else ()
+        return (Row("solids", seconds),) if self.shapes else ()
 
 
 def _build(inputs: Inputs, job: Job) -> Solids:
     model = inputs["bodies"].model
-    if model is not None and job("building solids", 0.0):
-        model.build_solids(job)
-    return Solids(model)
+    if model is None:
+        return Solids()
+    bodies = {kind: model.bodies(kind) for kind in KINDS}
+    solids = iter(part_solids([body for kind in KINDS for body in bodies[kind]], job))
+    return Solids({kind: [next(solids) for _ in bodies[kind]] for kind in KINDS})
+
+
+_AT_ONCE = 128  # bodies whose text is made in one call
+_LARGE = 1_000_000  # bytes; Part takes 20 ms for as many
+
+
+class _Yielding(io.BytesIO):
+    """Lets other threads run whenever Part's reader, which holds Python's lock, asks for more bytes."""
+
+    def read(self, size: Optional[int] = -1) -> bytes:
+        return super().read(size)
+
+
+def part_solids(bodies: Sequence[Any], job: Job) -> list[Any]:
+    """Solids of native PrintBodies as Shapes of FreeCAD. Raises CurveUpsError where FreeCAD can't be loaded
+    or fails, Stopped."""
+    _, part = freecad_session.load("Part")
+    # Signals arrive on the main thread: raised while Part reads, their exceptions would end the text.
+    file = io.BytesIO if threading.current_thread() is threading.main_thread() else _Yielding
+    solids: list[Any] = []
+    for body, text in zip(bodies, _texts(bodies)):
+        job.go_on("building solids", len(solids) / len(bodies))
+        solid = part.Shape()
+        try:
+            if len(text) < _LARGE:
+                solid.importBrepFromString(text.decode("ascii"), False)
+            else:
+                solid.importBrep(file(text))
+            solid.ShapeType  # raises where there is none
+        except Exception as error:  # of Part's own types
+            raise CurveUpsError(f"OpenCASCADE failed building {body.name} ({error})", "",
+                                "report this with the design file") from error
+        solids.append(solid)
+    return solids
+
+
+def _texts(bodies: Sequence[Any]) -> Iterator[bytes]:
+    """BREP texts of native PrintBodies."""
+    for first in range(0, len(bodies), _AT_ONCE):
+        yield from native.brep_texts(bodies[first:first + _AT_ONCE])
 
 
 def _lacks(model: Any) -> list[Finding]:
@@ -83,10 +129,10 @@ def _lacks(model: Any) -> list[Finding]:
 PARTS = frozenset({"tiles", "bodies", "support", "files"})
 BODIES = Stage("bodies", ("design",), PARTS, _make, on_stop=lambda stage, inputs: Bodies(),
                on_failure=lambda error, inputs: Bodies(broken=(failed("unprintable", error),)),
-               label="Bodies", asked_by=("build", "print"), judges=True)
+               label="Bodies", commands=("build", "print"), judges=True)
 STAGE = Stage("solids", ("bodies",), frozenset(), _build, on_stop=lambda stage, inputs: Solids(),
               on_failure=lambda error, inputs: Solids(broken=(failed("unbuilt", error),)),
-              label="Solids", asked_by=("build", "print"), judges=True)
+              label="Solids", commands=("build",), judges=True)
 
 
 @dataclass(frozen=True)
@@ -109,11 +155,12 @@ class Check(Result):
 
 
 def _check(inputs: Inputs, job: Job) -> Check:
-    model = inputs["solids"].model
+    model = inputs["bodies"].model
     if model is None:
         return Check()
     job("checking solids", 0.0)
-    unsound, reasons = model.judge_solids(job)
+    check_all = inputs.parameters.get("check_all")
+    unsound, checked = check_solids(model, check_all, job)
     clearances = inputs["clearances"]
     clearance = clearances.flat_mm if clearances.flat_mm is not None else model.min_clearance_flat()
     overlap = clearances.overlap_mm3 if clearances.overlap_mm3 is not None else 0.0
@@ -124,12 +171,70 @@ def _check(inputs: Inputs, job: Job) -> Check:
         "overhang_mm": max(model.overhangs, default=0.0)}
     solids = {"tiles": int(model.tile_count), "invalid": len(unsound),
               "volume_cm3": printed["tile_volume_cm3"],
-              "min_clearance_flat_mm": clearance, "max_overlap_actuated_mm3": overlap}
+              "min_clearance_flat_mm": clearance, "max_overlap_actuated_mm3": overlap,
+              "checked_by_opencascade": "all" if check_all and checked else checked}
     printer = read_printer(inputs.parameters.get("printer"))
-    warned = (*_printer_warnings(model, inputs.parameters, box, clearance, printer),
-              *_fit_warnings(inputs.parameters, printer))
-    broken = (*all_of(reasons), *too_thin(inputs["figures"].relaxed, printer))
-    return Check(printed, solids, broken, warned)
+    thin = too_thin(inputs["figures"].blocks["relaxed"], printer)
+    return Check(printed, solids, (*_reasons(unsound), *thin),
+                 tuple(_printer_warnings(model, inputs.parameters, box, clearance, printer)))
+
+
+# Solids of a kind in the sample that OpenCASCADE checks, and the most planar faces of one: a slab has
+# thousands, which take it seconds.
+_SAMPLE, _MOST_SAMPLED_FACES = 16, 256
+_VOLUME_TOLERANCE = 1e-9  # relative
+_MOST_NAMED = 3  # unsound solids in a sentence
+
+Unsound = Sequence[tuple[Any, str]]  # native PrintBodies and why they are unsound
+
+
+def check_solids(model: Any, check_all: bool, job: Job) -> tuple[Unsound, list[str]]:
+    """Unsound bodies of a native PrintModel, and the names of those whose solids OpenCASCADE checked: evenly
+    spaced ones of each kind, or all; none where bodies are unsound already or FreeCAD can't be loaded."""
+    kinds = [model.bodies(kind) for kind in KINDS]
+    bodies = [body for kind in kinds for body in kind]
+    unsound = [(body, why) for body, why in zip(bodies, native.check_bodies(bodies, job)) if why]
+    if unsound:
+        return unsound, []
+    sample = bodies if check_all else [body for kind in kinds for body in _sample_of(kind)]
+    try:
+        freecad_session.load("Part")
+    except CurveUpsError:
+        return [], []
+    for number, body in enumerate(sample):
+        job.go_on("checking solids", number / len(sample))
+        why = opencascade_finds(body, job)
+        if why:
+            unsound.append((body, why))
+    return unsound, [body.name for body in sample]
+
+
+def _sample_of(kind: Sequence[Any]) -> list[Any]:
+    bodies = [body for body in kind if body.faces <= _MOST_SAMPLED_FACES]
+    count = min(len(bodies), _SAMPLE)
+    return [bodies[k * len(bodies) // count] for k in range(count)]
+
+
+def opencascade_finds(body: Any, job: Job) -> str:
+    """Reason why OpenCASCADE finds the solid of a native PrintBody unsound; empty where it is sound."""
+    solid, = part_solids([body], job)
+    if not solid.isValid():
+        return "invalid"
+    if not solid.isClosed():
+        return "open"
+    return "volume" if abs(solid.Volume - body.volume) > _VOLUME_TOLERANCE * body.volume else ""
+
+
+def _reasons(unsound: Unsound) -> Sequence[Finding]:
+    """Reason why unsound solids make a design not valid."""
+    if not unsound:
+        return ()
+    named = tuple(Finding.about("unsound.solid", body=body.name, why=why)
+                  for body, why in unsound[:_MOST_NAMED])
+    more = len(unsound) - len(named)
+    return (Finding.about("unsound.many" if more else "unsound",
+                          (body.tile for body, _ in unsound if body.tile >= 0),
+                          solids=named, **({"more": more} if more else {})),)
 
 
 def amounts(models: Sequence[Any]) -> dict[str, Any]:
@@ -145,10 +250,10 @@ def amounts(models: Sequence[Any]) -> dict[str, Any]:
                 for side in sides for what in sides[side]}}}
 
 
-CHECK = Stage("check", ("solids", "figures", "clearances"), frozenset({"check", "tiles"}), _check,
+CHECK = Stage("check", ("bodies", "figures", "clearances"), frozenset({"check", "tiles"}), _check,
               on_stop=lambda stage, inputs: Check(
-                  note=Finding("stopped.unchecked") if inputs["solids"].model else None),
-              label="Check of the solids", asked_by=("print",), judges=True)
+                  note=Finding("stopped.unchecked") if inputs["bodies"].model else None),
+              label="Check of the solids", commands=("print",), judges=True)
 
 
 def _printer_warnings(model: Any, parameters: Any, box: Sequence[float], clearance: float, printer: dict
@@ -182,6 +287,8 @@ def _printer_warnings(model: Any, parameters: Any, box: Sequence[float], clearan
         warn("overhang.front_down" if get("orientation") == "front-down" else "overhang",
              [tile for tile, size in enumerate(model.overhangs) if size > most], reach=max(model.overhangs),
              H_pin=get("H_pin"), most=most)
+    if get("bumps") != "bumps" and get("xy_compensation") < printer["growth_mm"]:  # walls meet
+        warn("growth", set=get("xy_compensation"), grows=printer["growth_mm"])
     return warnings
 
 
@@ -200,14 +307,6 @@ def too_thin(relaxed: Sequence[Mapping[str, Any]], printer: dict) -> tuple[Findi
     tiles = tuple(sorted({bound["tile"] for bound in thin}))
     return (Finding.about("thin_p_min", tiles, least=min(bound["to"] for bound in thin), at=tiles,
                           printer=printer["name"], makes=least),)
-
-
-def _fit_warnings(parameters: Any, printer: dict) -> Sequence[Finding]:
-    """Warning where walls that meet without bumps do not stand back by as much as prints grow."""
-    if parameters.get("bumps") == "bumps" or parameters.get("xy_compensation") >= printer["growth_mm"]:
-        return ()
-    return (Finding.about("growth", set=parameters.get("xy_compensation"), printer=printer["name"],
-                          grows=printer["growth_mm"]),)
 
 
 def read_printer(name: str) -> dict:
@@ -236,7 +335,7 @@ def fits(box: Sequence[float], bed: Sequence[float]) -> bool:
     return all(side <= room for side, room in zip(box, bed))
 
 
-def joints_of(model: Any, parameters: Any) -> dict[str, Any]:
+def _joints(model: Any, parameters: Any) -> dict[str, Any]:
     """Block of report.json: edges between pieces, holes, their sizes (mm) and the pairs of tiles (rows of F)
     without room for them; empty with joint=none. model: native PrintModel."""
     if parameters.get("joint") == "none":
@@ -246,14 +345,12 @@ def joints_of(model: Any, parameters: Any) -> dict[str, Any]:
             "wall_mm": parameters.get("p_floor"), "without": [[int(a), int(b)] for a, b in closed]}
 
 
-def not_joined(joints: Mapping[str, Any], parameters: Any) -> Sequence[Finding]:
+def _not_joined(joints: Mapping[str, Any]) -> Sequence[Finding]:
     """Warning of nothing to join, or of edges without holes."""
-    if not joints:
-        return ()
-    if not joints["edges"]:
+    if joints and not joints["edges"]:
         return (Finding("joint.none"),)
-    if not joints["without"]:
+    pairs = tuple((a, b) for a, b in joints.get("without", ()))
+    if not pairs:
         return ()
-    pairs = tuple((a, b) for a, b in joints["without"])
     return (Finding.about("joint", (tile for pair in pairs for tile in pair), closed=len(pairs),
                           edges=joints["edges"], pairs=pairs),)

@@ -32,7 +32,8 @@ class Row:
 
 @dataclass(frozen=True)
 class Picture:
-    """A picture of a result, drawn by `view` (report/pictures.py); `heading` opens a section."""
+    """A picture of a result. view: module of report/ and its function that draws `data`. heading: opens a
+    section."""
 
     heading: str
     caption: str
@@ -44,12 +45,13 @@ class Result(Value):
     """Base of all results: frozen dataclasses of numbers, texts, arrays and designs."""
 
     lasting: ClassVar[bool] = True  # saved in documents; otherwise made anew
+    read_later: ClassVar[tuple[str, ...]] = ()  # fields that later stages read
 
     @property
     def content(self) -> str:
         """Digest of everything that later stages read of this: equal contents give equal results. Empty where
         results are compared by their inputs instead."""
-        return ""
+        return digest(*(getattr(self, name) for name in self.read_later)) if self.read_later else ""
 
     @property
     def stopped(self) -> bool:
@@ -83,6 +85,19 @@ class Result(Value):
     def rows(self, seconds: float) -> Sequence[Row]:
         """Entries of "stages" in report.json; seconds: time of the whole stage."""
         return ()
+
+
+@dataclass(frozen=True)
+class Block(Result):
+    """A block of report.json, an object or a list; empty where the work was stopped."""
+
+    name: str
+    block: Any = ()
+    warned: tuple[Finding, ...] = ()
+    broken: tuple[Finding, ...] = ()
+
+    def report(self) -> dict[str, Any]:
+        return {self.name: self.block} if self.block else {}
 
 
 # Called with each iterate of a stage: flat corners (M x 3 x 2, mm), insets (M x 2 x 3, mm), the layout's
@@ -142,7 +157,7 @@ class Stage:
     are worth keeping; else the error is raised. on_stop: likewise after a stop; it gets the name of the
     stopped stage.
 
-    Roles. label: name for users. asked_by: commands that run it and its upstream stages (check, cuts, solve,
+    Roles. label: name for users. commands: commands that run it and its upstream stages (check, cuts, solve,
     verify, build, print, ...). judges: contributes to the verdict; or a function of the parameters that
     tells. shown: the picture of a design is drawn from it."""
 
@@ -153,7 +168,7 @@ class Stage:
     on_failure: Optional[Callable[[CurveUpsError, Inputs], Result]] = None
     on_stop: Optional[Callable[[str, Inputs], Result]] = None
     label: str = ""
-    asked_by: tuple[str, ...] = ()
+    commands: tuple[str, ...] = ()
     judges: Union[bool, Callable[[Any], bool]] = False
     shown: bool = False
 

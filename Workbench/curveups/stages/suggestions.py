@@ -87,9 +87,8 @@ def _search_target(inputs: Inputs, job: Job) -> CutSearch:
 
 
 SEARCH = Stage("cut search", ("target", "target smoothing", "cut request", "cuts"),
-               frozenset({"tiles", "layout"}),
-               _search_target,
-               label="Cuts", asked_by=("cuts",))
+               frozenset({"tiles", "layout"}), _search_target,
+               label="Cuts", commands=("cuts",))
 
 
 @dataclass(frozen=True)
@@ -100,10 +99,9 @@ class Suggestions(Result):
     proposed: tuple[SuggestedCut, ...] = ()
     general: tuple[Finding, ...] = ()   # of repair, without proposed cuts
     stretch: Optional[dict] = None      # figures of the layout
-    badly: bool = False                 # stretched
+    warned: tuple[Finding, ...] = ()
     searched: bool = False
     was_stopped: bool = False
-    failure: Optional[Finding] = None
     design: Any = None
 
     def report(self) -> dict[str, Any]:
@@ -117,14 +115,6 @@ class Suggestions(Result):
         return [Finding("suggested", cut.finding.tiles, {"what_to_do": cut.finding})
                 for cut in self.proposed] or self.general
 
-    def warnings(self) -> Sequence[Finding]:
-        if self.failure:
-            return (self.failure,)
-        if not self.badly or self.stretch is None:
-            return ()
-        return (Finding.about("stretched" if self.proposed else "stretched.uncut",
-                              spread=self.stretch["scale_spread"], slack=self.stretch["slack_springs"]),)
-
     def rows(self, seconds: float) -> Sequence[Row]:
         return (Row("cuts", seconds),) if self.searched else ()
 
@@ -132,7 +122,8 @@ class Suggestions(Result):
         if not (self.applied or self.proposed):
             return ()
         return (Picture("Suggested cuts", "Cuts that were made in blue, those proposed in red; the target "
-                                          "from two sides.", "cuts",
+                                          "from two sides.",
+                        "pictures.cut_view",
                         {"design": self.design, "cuts": self.report()["suggested_cuts"]}),)
 
 
@@ -146,15 +137,17 @@ def _run(inputs: Inputs, job: Job) -> Suggestions:
     design = inputs["design"].design.with_parameters(inputs.parameters)
     applied, general = _applied(inputs), repair.suggestions
     stretch = native.layout_figures(design).block
-    contacts = inputs["figures"].report()["contacts"]
-    badly = (stretch["scale_spread"] > STRETCHED_SPREAD
-             or stretch["slack_springs"] > STRETCHED_SLACK * 2 * contacts)
-    failed = verification.judged and not verification.failure and not verification.valid
-    if not (badly or failed or not layout.converged):
+    contacts = inputs["figures"].blocks["contacts"]
+    stretched = (stretch["scale_spread"] > STRETCHED_SPREAD
+                 or stretch["slack_springs"] > STRETCHED_SLACK * 2 * contacts)
+    invalid = verification.judged and not verification.failure and not verification.valid
+    if not (stretched or invalid or not layout.converged):
         return Suggestions(applied, general=general, stretch=stretch, design=design)
     proposed, search = _search(inputs["target smoothing"].V, inputs["target"].F, design.cuts,
                                inputs.parameters, UNASKED, verification.weak_contacts, job)
-    return Suggestions(applied, proposed, general, stretch, badly, True, search.stopped, design=design)
+    warned = (Finding.about("stretched" if proposed else "stretched.uncut", spread=stretch["scale_spread"],
+                            slack=stretch["slack_springs"]),) if stretched else ()
+    return Suggestions(applied, proposed, general, stretch, warned, True, search.stopped, design)
 
 
 def _ended(inputs: Inputs, **how: Any) -> Suggestions:
@@ -164,6 +157,6 @@ def _ended(inputs: Inputs, **how: Any) -> Suggestions:
 
 STAGE = Stage("suggestions", ("target", "target smoothing", "cut request", "layout", "repair", "design",
                               "figures", "verification"), frozenset({"tiles", "layout"}), _run,
-              lambda error, inputs: _ended(inputs, failure=failed("cuts", error)),
+              lambda error, inputs: _ended(inputs, warned=(failed("cuts", error),)),
               lambda stage, inputs: _ended(inputs, was_stopped=True),
-              label="Suggestions", asked_by=("solve",))
+              label="Suggestions", commands=("solve",))

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Mapping, Optional, Sequence
 
 import numpy as np
@@ -13,7 +13,8 @@ from ..base.findings import Finding, require_no_error
 from ..base.native import native
 from ..base.parameters import parameter
 from .cut_request import interior_edges, mesh_edges
-from .stage import Inputs, Job, Result, Row, Stage, digest
+from .following import Following, follow
+from .stage import Inputs, Job, Result, Row, Stage
 
 # Holes with a shorter edge than so many L are filled: most tiles would reach across.
 HOLE_EDGE = 4.0
@@ -27,6 +28,7 @@ BROKEN = ("empty", "index-out-of-range", "not-finite")
 class Target(Result):
     """V (N x 3, mm) and F (M x 3)."""
 
+    read_later = ("V", "F", "own_length", "wall")
     V: np.ndarray
     F: np.ndarray
     source_V: np.ndarray             # mesh before remeshing
@@ -42,6 +44,8 @@ class Target(Result):
     actions: tuple[str, ...] = ()    # of mending
     mended_by: float = 0.0           # Hausdorff distance of the two, mm
     creases: Optional[np.ndarray] = None  # E x 2, edges of source_F that stay, of a CAD part
+    tiling: Optional[Finding] = None  # how it came, where there was an earlier one to follow
+    followed: Optional[Following] = field(default=None, compare=False, metadata={"transient": True})
 
     @property
     def given(self) -> tuple[np.ndarray, np.ndarray]:
@@ -49,15 +53,21 @@ class Target(Result):
         return self.unmended or (self.source_V, self.source_F)
 
     @property
-    def content(self) -> str:
-        return digest(self.V, self.F, self.own_length, *(() if self.wall is None else (self.wall,)))
+    def followed_along(self) -> bool:
+        """True for tiles that follow earlier ones."""
+        return self.tiling is not None and self.tiling.kind == "followed"
 
     def fixes(self) -> Mapping[str, Any]:
         return {} if self.own_length is None else {"L": self.own_length}
 
     def report(self) -> dict[str, Any]:
-        return {"target": {"mean_edge_mm": self.mean_edge, "edge_cv": self.edge_cv,
-                           "sagitta_mm": self.chord_error, "notes": list(self.notes)}}
+        block: dict[str, Any] = {"mean_edge_mm": self.mean_edge, "edge_cv": self.edge_cv,
+                                 "sagitta_mm": self.chord_error, "notes": list(self.notes)}
+        if self.tiling is not None:
+            block["tiling"] = {"followed": self.followed_along, **{
+                name: str(figure) if isinstance(figure, Finding) else figure
+                for name, figure in self.tiling.figures.items()}}
+        return {"target": block}
 
     def rows(self, seconds: float) -> Sequence[Row]:
         return (Row("remesh", seconds),)
@@ -68,22 +78,21 @@ def _run(inputs: Inputs, job: Job) -> Target:
     job("checking the target")
     V, F, notes = surface.V, surface.F, list(surface.notes)
     mended: dict[str, Any] = {}
-    apart = False  # True where no faces run through one another: the search takes seconds
+    uncrossed = False  # True where no faces run through one another: the search takes seconds
     if source.remesh:
         # Otherwise the mesh is taken as it is: cuts name its vertices by number.
         clean = native.clean_mesh(V, F, job)
         V, F = clean.V, clean.F
         notes += clean.notes
         if inputs.parameters.get("mend") == "on":
-            V, F, mended, apart = _mend(V, F, L, clean.notes, job)
+            V, F, mended, uncrossed = _mend(V, F, L, clean.notes, job)
     else:
         findings = native.check_mesh(V, F, 1.0, True, job)
         require_no_error([finding for finding in findings if finding.kind in BROKEN], inputs.where)
         L = _own_length(V, F, inputs.where)
-    findings = native.check_mesh(V, F, L, source.will_be_cut, job, without_crossings=apart)
-    notes += [str(Finding.of(finding)) for finding in findings if finding.kind == "components"]
+    findings = native.check_mesh(V, F, L, source.will_be_cut, job, without_crossings=uncrossed)
     try:
-        warned = require_no_error([f for f in findings if f.kind != "components"], inputs.where)
+        warned = require_no_error(findings, inputs.where)
     except CurveUpsError as error:
         if not source.remesh or inputs.parameters.get("mend") == "on":
             raise
@@ -94,7 +103,14 @@ def _run(inputs: Inputs, job: Job) -> Target:
         return Target(V, F, V, F, float(lengths.mean()), float(lengths.std() / lengths.mean()), 0.0,
                       tuple(notes), warned, L, surface.wall)
     creases = _creases(surface, V, F)
-    mesh = remesh(V, F, L, inputs.parameters, job, creases)
+    mesh = None
+    if source.follows is not None:
+        followed = follow(source.follows, V, F, inputs.parameters, creases, job)
+        mended.update(tiling=followed.said, followed=followed)
+        warned += followed.warnings()
+        mesh = followed.mesh
+    if mesh is None:
+        mesh = remesh(V, F, L, inputs.parameters, job, creases)
     return Target(mesh.V, mesh.F, V, F, mesh.mean_edge, mesh.edge_cv, mesh.chord_error, tuple(notes), warned,
                   None, surface.wall, creases=creases, **mended)
 
@@ -148,7 +164,7 @@ def _with_mending(error: CurveUpsError, V: np.ndarray, F: np.ndarray, L: float, 
 
 
 STAGE = Stage("target", ("source", "surface"), frozenset({"target"}), _run,
-              label="Target", asked_by=("solve",), shown=True)
+              label="Target", commands=("solve",), shown=True)
 
 
 def _own_length(V: np.ndarray, F: np.ndarray, where: str) -> float:

@@ -13,8 +13,6 @@ from ..base.findings import Finding, all_of, failed
 from ..base.native import native
 from .stage import Inputs, Job, Picture, Result, Row, Stage
 
-SIDE_ARRAYS = ("flat", "triangles", "stretch", "tension")
-
 
 @dataclass(frozen=True)
 class Verification(Result):
@@ -74,9 +72,10 @@ class Verification(Result):
         forces = {"design": self.design, "values": self.arrays["tile_normal_force"], "label": "N",
                   "marked": weak}
         return (
-            Picture("Contact forces", f"Least normal force at each tile's contact points.{marked}", "flat",
-                    forces),
-            Picture("", f"Largest friction that any of a tile's contacts needs.{marked}", "flat",
+            Picture("Contact forces", f"Least normal force at each tile's contact points.{marked}",
+                    "pictures.flat_layout", forces),
+            Picture("", f"Largest friction that any of a tile's contacts needs.{marked}",
+                    "pictures.flat_layout",
                     {**forces, "values": friction, "label": "friction / normal force"}),
             *self._membrane_pictures())
 
@@ -90,20 +89,15 @@ class Verification(Result):
             "scale leaves out the hundredth at either end; all but a hundredth of the area is stretched by "
             f"{self.blocks['physics'].get('stretch_99', 0.0):.4g} at most. Wrinkled places are tinted, slack "
             "ones grey, and the pins, to which the membranes are glued, are left white.",
-            "stretch", {"membranes": self.membranes}),)
-
-
-def verify(design: Any, job: Job, weak_is_enough: bool = False) -> Verification:
-    """Runs the model on a native Design. weak_is_enough: without a verdict where points are weak."""
-    return verification_of(native.verify_design(design, job, weak_is_enough), design)
+            "pictures.stretch_view", {"membranes": self.membranes}),)
 
 
 def verification_of(report: Any, design: Any) -> Verification:
     """Verification by a native VerificationReport of a native Design."""
     names = ("contact_tiles", "contact_normal_min", "contact_normal_mean", "contact_friction_ratio",
              "tile_normal_force")
-    sides = tuple({name: np.asarray(getattr(side, name)) for name in SIDE_ARRAYS}
-                  for side in report.membranes)
+    sides = tuple({name: np.asarray(getattr(side, name))
+                   for name in ("flat", "triangles", "stretch", "tension")} for side in report.membranes)
     return Verification(valid=report.valid, blocks=report.blocks, broken=all_of(report.reasons),
                         warned=all_of(report.warnings), complete=report.complete, design=design,
                         arrays={name: np.asarray(getattr(report, name)) for name in names}, membranes=sides,
@@ -111,9 +105,11 @@ def verification_of(report: Any, design: Any) -> Verification:
 
 
 def _verify(design: Any, inputs: Inputs, job: Job, weak_is_enough: bool = False) -> Verification:
+    """Runs the model on a native Design. weak_is_enough: without a verdict where points are weak."""
     if not inputs.parameters.get("run_verification"):
         return Verification(note=Finding("unverified.off"))
-    return verify(design.with_parameters(inputs.parameters), job, weak_is_enough)
+    design = design.with_parameters(inputs.parameters)
+    return verification_of(native.verify_design(design, job, weak_is_enough), design)
 
 
 @dataclass(frozen=True)
@@ -152,6 +148,6 @@ OF_LAYOUT = Stage("verification of the layout", ("layout",), PARTS,
                       _verify(inputs["layout"].design, inputs, job, weak_is_enough=True)),
                   lambda error, inputs: LayoutVerification(_failed(error, inputs)),
                   lambda stage, inputs: LayoutVerification(_stopped(stage, inputs)),
-                  label="Verification of the layout", asked_by=("solve",), shown=True)
+                  label="First verification", commands=("solve",), shown=True)
 STAGE = Stage("verification", ("design",), PARTS, _verify_design, _failed, _stopped,
-              label="Verification", asked_by=("solve", "verify"), judges=True, shown=True)
+              label="Verification", commands=("solve", "verify"), judges=True, shown=True)

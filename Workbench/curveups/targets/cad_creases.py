@@ -35,22 +35,19 @@ def creases(faces: Sequence[Any], V: np.ndarray, angle: float) -> np.ndarray:
     lie on edges along which the normals of both faces differ by more than `angle` (degrees) somewhere."""
     pairs: list[tuple[int, int]] = []
     if angle < 180:
-        vertices = _Vertices(V)
+        tolerance = _NEAR * float(np.linalg.norm(np.ptp(V, axis=0)))
         for edge, first, second in shared_edges(faces):
             if _turn(edge, faces[first], faces[second]) > angle:
-                along = vertices.on(edge)
+                along = _vertices_on(edge, V, tolerance)
                 pairs += zip(along, along[1:])
     return np.array(pairs, np.int32).reshape(-1, 2)
 
 
 def _turn(edge: Any, first: Any, second: Any) -> float:
     """The largest angle between the normals of two faces along their edge, degrees; 0 where there is none."""
-    largest = 0.0
-    for a, b in normals_along(edge, first, second, _PLACES):
-        cross, dot = a.cross(b).Length, a.dot(b)
-        if math.isfinite(cross) and math.isfinite(dot):
-            largest = max(largest, math.degrees(math.atan2(cross, dot)))
-    return largest
+    angles = [math.degrees(math.atan2(a.cross(b).Length, a.dot(b)))
+              for a, b in normals_along(edge, first, second, _PLACES)]
+    return max(filter(math.isfinite, angles), default=0.0)
 
 
 def normals_along(edge: Any, first: Any, second: Any, places: int) -> Iterator[tuple[Any, Any]]:
@@ -64,43 +61,26 @@ def normals_along(edge: Any, first: Any, second: Any, places: int) -> Iterator[t
         yield a, b
 
 
-class _Vertices:
-    """Vertices of a triangulation, found by their coordinates."""
-
-    def __init__(self, V: np.ndarray):
-        self._V = V
-        self._tolerance = _NEAR * float(np.linalg.norm(np.ptp(V, axis=0)))
-        self._axis = int(np.argmax(np.ptp(V, axis=0)))  # along which they are sorted
-        self._order = np.argsort(V[:, self._axis], kind="stable")
-        self._sorted = V[self._order, self._axis]
-
-    def on(self, edge: Any) -> list[int]:
-        """Rows of V on an edge, in their order along it; of a closed one the first again at its end."""
-        try:
-            line = np.array([tuple(point) for point in edge.discretize(Deflection=self._tolerance / 2)])
-        except Exception:  # an edge without length
-            return []
-        if len(line) < 2:
-            return []
-        side = np.diff(line, axis=0)
-        length = np.linalg.norm(side, axis=1)
-        before = np.concatenate([[0.0], np.cumsum(length)])
-        places: list[tuple[float, int]] = []
-        for v in self._around(line):
-            away = self._V[v] - line[:-1]
-            t = np.clip((away * side).sum(1) / np.maximum(length, 1e-300) ** 2, 0, 1)
-            distance = np.linalg.norm(away - t[:, None] * side, axis=1)
-            k = int(np.argmin(distance))
-            if distance[k] <= self._tolerance:
-                places.append((float(before[k] + t[k] * length[k]), int(v)))
-        places.sort()
-        along = [v for _, v in places]
-        closed = np.linalg.norm(line[0] - line[-1]) <= self._tolerance
-        return [*along, along[0]] if closed and len(along) > 2 else along
-
-    def _around(self, line: np.ndarray) -> np.ndarray:
-        """Rows of V in the box of a line's points."""
-        low, high = line.min(axis=0) - self._tolerance, line.max(axis=0) + self._tolerance
-        first, last = np.searchsorted(self._sorted, [low[self._axis], high[self._axis]])
-        rows = np.sort(self._order[first:last])
-        return rows[((self._V[rows] >= low) & (self._V[rows] <= high)).all(axis=1)]
+def _vertices_on(edge: Any, V: np.ndarray, tolerance: float) -> list[int]:
+    """Rows of V on an edge, in their order along it; of a closed one the first again at its end."""
+    try:
+        line = np.array([tuple(point) for point in edge.discretize(Deflection=tolerance / 2)])
+    except Exception:  # an edge without length
+        return []
+    if len(line) < 2:
+        return []
+    side = np.diff(line, axis=0)
+    length = np.linalg.norm(side, axis=1)
+    before = np.concatenate([[0.0], np.cumsum(length)])
+    places: list[tuple[float, int]] = []
+    in_box = (V >= line.min(axis=0) - tolerance) & (V <= line.max(axis=0) + tolerance)
+    for v in np.flatnonzero(in_box.all(axis=1)).tolist():
+        away = V[v] - line[:-1]
+        t = np.clip((away * side).sum(1) / np.maximum(length, 1e-300) ** 2, 0, 1)
+        distance = np.linalg.norm(away - t[:, None] * side, axis=1)
+        k = int(np.argmin(distance))
+        if distance[k] <= tolerance:
+            places.append((float(before[k] + t[k] * length[k]), v))
+    along = [v for _, v in sorted(places)]
+    closed = np.linalg.norm(line[0] - line[-1]) <= tolerance
+    return [*along, along[0]] if closed and len(along) > 2 else along

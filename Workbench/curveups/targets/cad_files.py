@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """CAD surfaces as triangles, through FreeCAD's Part, in a process of their own: OpenCASCADE's readers crash
-on damaged files, and its reader of BREP may never return."""
+on damaged files, its reader of BREP may never return, and FreeCAD keeps Python's lock while it makes
+triangles, so that a window would stand still."""
 
 from __future__ import annotations
 
 import json
+import pickle
 import re
 import subprocess
-import sys
 import tempfile
 import time
 from contextlib import contextmanager
@@ -37,6 +38,7 @@ _FORMATS = {
 }
 _SAME = {".stp": ".step", ".igs": ".iges", ".brp": ".brep"}
 ENDINGS = (*_FORMATS, *_SAME)
+_SHAPE = ".bin"  # a Shape as FreeCAD's exportBinary writes it
 
 
 @dataclass(frozen=True)
@@ -61,28 +63,48 @@ def read_cad(path: Path, deflection: float, go_on: GoOn = lambda _: True,
     if not re.search(end, data[-200:]):
         raise CurveUpsError("the file ends early, or is none of its format", str(path),
                             "export the file again")
-    with tempfile.TemporaryDirectory(prefix="curveups-cad-") as folder:
-        answer = Path(folder) / "answer.npz"
-        _run(path, deflection, choice, answer, go_on)
-        if not answer.exists():
-            raise CurveUpsError("the file is damaged: FreeCAD's reader crashed", str(path),
-                                "export the file again")
-        with np.load(answer) as read:
-            said = json.loads(str(read["said"]))
-            if said["error"]:
-                raise CurveUpsError(said["error"], str(path), said["remedy"])
-            surface = Read(read["V"], read["F"], tuple(said["notes"]), said["wall"], read["creases"])
+    answer = _answer(path, deflection, choice, str(path), go_on)
+    if answer is None:
+        raise CurveUpsError("the file is damaged: FreeCAD's reader crashed", str(path),
+                            "export the file again")
+    count, surface = answer
     announced = len(re.findall(face, data))
-    if said["faces"] < announced:
-        raise CurveUpsError(f"only {said['faces']} of the file's {announced} faces could be read",
-                            str(path), "export the file again")
+    if count < announced:
+        raise CurveUpsError(f"only {count} of the file's {announced} faces could be read", str(path),
+                            "export the file again")
     return surface
 
 
-def _run(path: Path, deflection: float, choice: Choice, answer: Path, go_on: GoOn) -> None:
-    """Read the file in a child process."""
-    command = [freecad_session.python(), "-m", __name__, str(path), repr(deflection), str(answer),
-               json.dumps(asdict(choice))]
+def read_shape(shape: Any, deflection: float, go_on: GoOn, choice: Choice, where: str) -> Read:
+    """The chosen part of a Shape of FreeCAD; `where` names it in messages. As read_cad."""
+    with tempfile.TemporaryDirectory(prefix="curveups-cad-") as folder, _freecads_errors(where):
+        path = Path(folder) / f"shape{_SHAPE}"
+        shape.exportBinary(str(path))
+        answer = _answer(path, deflection, choice, where, go_on)
+    if answer is None:
+        raise _no_triangles(where)
+    return answer[1]
+
+
+def _answer(path: Path, deflection: float, choice: Choice, where: str, go_on: GoOn
+            ) -> Optional[tuple[int, Read]]:
+    """Number of faces in a file, and its surface, as a child process reads them; None where that crashes."""
+    with tempfile.TemporaryDirectory(prefix="curveups-cad-") as folder:
+        answer = Path(folder) / "answer"
+        _run(path, deflection, choice, answer, where, go_on)
+        if not answer.exists():
+            return None
+        count, surface = pickle.loads(answer.read_bytes())
+    if not isinstance(surface, Read):
+        what, remedy = surface
+        raise CurveUpsError(what, where, remedy)
+    return count, surface
+
+
+def _run(path: Path, deflection: float, choice: Choice, answer: Path, where: str, go_on: GoOn) -> None:
+    """Reads the file in a child process."""
+    command = [freecad_session.python(), "-c", f"import sys, {__name__} as here; here._main(*sys.argv[1:])",
+               str(path), repr(deflection), str(answer), json.dumps(asdict(choice))]
     child = subprocess.Popen(command, env=freecad_session.environment(), stdin=subprocess.DEVNULL,
                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     end = time.monotonic() + _TIME_LIMIT
@@ -92,7 +114,7 @@ def _run(path: Path, deflection: float, choice: Choice, answer: Path, go_on: GoO
             if not go_on(-1.0):
                 raise Stopped
             if time.monotonic() > end:
-                raise CurveUpsError(f"FreeCAD has not read the file within {_TIME_LIMIT:.0f} s", str(path),
+                raise CurveUpsError(f"FreeCAD has not made triangles within {_TIME_LIMIT:.0f} s", where,
                                     "simplify the part, or export it again or as a mesh")
     finally:
         child.kill()
@@ -106,35 +128,32 @@ def triangles_of_mesh(mesh: Any) -> Mesh:
     return V, np.array(faces, np.int32).reshape(-1, 3)
 
 
-def surface_of_shape(shape: Any, deflection: float, choice: Choice, where: str) -> Read:
+def _surface_of_shape(shape: Any, deflection: float, choice: Choice, where: str) -> Read:
     """Triangles of the chosen part of a Shape of FreeCAD; `where` names it in messages."""
     _, part = freecad_session.load("Part")
     with _freecads_errors(where):
         chosen = choose(shape, choice, where)
-        whole = len(chosen.faces) == len(shape.Faces) and not chosen.notes
-        V, F = triangles_of_shape(shape if whole else part.Compound(chosen.faces), deflection, where)
+        V, F = _triangles(part.Compound(chosen.faces), deflection, where)
         sharp = creases(chosen.faces, V, choice.crease_angle)
-    if chosen.opposite:
-        other = triangles_of_shape(part.Compound(chosen.opposite), deflection, where)
-        with translated(where):
-            V = (V + native.closest_points(V, *other)[0]) / 2
+        if chosen.opposite:
+            other = _triangles(part.Compound(chosen.opposite), deflection, where)
+            with translated(where):
+                V = (V + native.closest_points(V, *other)[0]) / 2
     return Read(V, F, tuple(chosen.notes), chosen.wall, sharp)
 
 
-def triangles_of_shape(shape: Any, deflection: float, where: str) -> Mesh:
+def _triangles(shape: Any, deflection: float, where: str) -> Mesh:
     """V and F of a Shape of FreeCAD; `where` names it in messages."""
     _, mesh_part = freecad_session.load("MeshPart")
-    with _freecads_errors(where):
-        size = shape.BoundBox.DiagonalLength
-        mesh = mesh_part.meshFromShape(Shape=shape, LinearDeflection=max(deflection, 1e-5 * size),
-                                       AngularDeflection=0.2)
-        V, F = triangles_of_mesh(mesh)
-        missing = [k for k, face in enumerate(shape.Faces, 1) if not face.tessellate(size)[1]]
-        if missing:
-            faces = f"{len(missing)} of {len(shape.Faces)} faces (Face{missing[0]})"
-            raise CurveUpsError(f"FreeCAD can't make triangles of {faces}", where,
-                                "mend the surface, or export it as a mesh")
-    return V, F
+    size = shape.BoundBox.DiagonalLength
+    mesh = mesh_part.meshFromShape(Shape=shape, LinearDeflection=max(deflection, 1e-5 * size),
+                                   AngularDeflection=0.2)
+    missing = [k for k, face in enumerate(shape.Faces, 1) if not face.tessellate(size)[1]]
+    if missing:
+        faces = f"{len(missing)} of {len(shape.Faces)} faces (Face{missing[0]})"
+        raise CurveUpsError(f"FreeCAD can't make triangles of {faces}", where,
+                            "mend the surface, or export it as a mesh")
+    return triangles_of_mesh(mesh)
 
 
 @contextmanager
@@ -143,33 +162,36 @@ def _freecads_errors(where: str) -> Iterator[None]:
     know."""
     try:
         yield
-    except (CurveUpsError, MemoryError):
+    except (CurveUpsError, Stopped, MemoryError):
         raise
     except Exception as error:
-        raise CurveUpsError("FreeCAD can't make triangles of the surface", where,
-                            "mend the surface, or export it as a mesh") from error
+        raise _no_triangles(where) from error
+
+
+def _no_triangles(where: str) -> CurveUpsError:
+    return CurveUpsError("FreeCAD can't make triangles of the surface", where,
+                         "mend the surface, or export it as a mesh")
 
 
 def _main(path: str, deflection: str, answer: str, choice: str) -> None:
-    """In the child. Through Part, since the Import module crashes on coloured STEP files (0.20.2)."""
-    said: dict[str, Any] = {"error": "", "remedy": "", "faces": 0, "notes": [], "wall": None}
-    surface = Read(np.zeros((0, 3)), np.zeros((0, 3), np.int32))
+    """Writes the child's answer: the number of faces, and a Read or an error with its remedy. Through Part,
+    since the Import module crashes on coloured STEP files (0.20.2)."""
+    count = 0
     try:
         _, part = freecad_session.load("Part")
         try:
-            shape = part.read(path)
-            said["faces"] = 0 if shape.isNull() else len(shape.Faces)
+            shape = part.Shape()
+            if path.endswith(_SHAPE):
+                shape.importBinary(path)
+            else:
+                shape = part.read(path)
+            count = 0 if shape.isNull() else len(shape.Faces)
         except Exception as error:  # of FreeCAD's own types
             raise CurveUpsError("FreeCAD can't read the file", path, "export the file again") from error
-        if not said["faces"]:
+        if not count:
             raise CurveUpsError("the file holds no surface", path, "export the surface itself")
-        surface = surface_of_shape(shape, float(deflection), Choice(**json.loads(choice)), path)
-        said.update(notes=surface.notes, wall=surface.wall)
+        surface = _surface_of_shape(shape, float(deflection), Choice(**json.loads(choice)), path)
     except CurveUpsError as error:
-        said.update(error=error.what, remedy=error.remedy)
-    sharp = np.zeros((0, 2), np.int32) if surface.creases is None else surface.creases
-    np.savez(answer, said=json.dumps(said), V=surface.V, F=surface.F, creases=sharp)
-
-
-if __name__ == "__main__":
-    _main(*sys.argv[1:])
+        Path(answer).write_bytes(pickle.dumps((count, (error.what, error.remedy))))
+    else:
+        Path(answer).write_bytes(pickle.dumps((count, surface)))

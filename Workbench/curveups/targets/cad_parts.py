@@ -14,7 +14,8 @@ from ..base.errors import CurveUpsError
 from .cad_walls import Wall, find_wall
 
 _PLANAR = 1e-4      # of the part's size: how far a planar face may be from the plane that is named
-_SEWN = 1e-4        # of the part's size: gaps between faces that are closed
+_SEWN = 1e-3        # of the part's size: gaps between faces that are closed
+_MEETING = 5e-3     # of the part's size: bodies with a smaller gap are meant to be one
 _MOST_SEWN = 400    # faces: sewing with a tolerance takes the square of their number
 
 
@@ -47,29 +48,22 @@ def choose(shape: Any, choice: Choice, where: str) -> Chosen:
             chosen.faces = _opened(chosen.faces, choice.open, shape, chosen.notes, where)
         return chosen
     bodies = _bodies(_sewn(shape, chosen.notes))
+    _refuse_gaps(bodies, shape, where)
     if len(bodies) > 1:
         chosen.notes.append(f"there are {len(bodies)} bodies: "
                             + ", ".join(_described(body) for body in bodies[:6])
                             + (f" and {len(bodies) - 6} more" if len(bodies) > 6 else ""))
     for body in bodies:
-        _add(chosen, body, choice, shape, where)
+        closed = bool(body.ShapeType == "Solid" or body.ShapeType == "Shell" and body.isClosed())
+        wall = find_wall(body) if closed else None
+        faces = _skin(chosen, body, wall, choice) if wall else list(body.Faces)
+        if closed and not (wall and wall.rim) or choice.open not in ("auto", "largest", "none"):
+            faces = _opened(faces, choice.open, shape, chosen.notes, where)
+        chosen.faces += faces
     if choice.skin != "outer" and chosen.wall is None:
         raise CurveUpsError(f"there is no {choice.skin} skin: nothing of the part is a wall with two sides",
                             where, "name the faces (--set faces=Face1,Face2), or leave skin at outer")
     return chosen
-
-
-def _add(chosen: Chosen, body: Any, choice: Choice, shape: Any, where: str) -> None:
-    closed = bool(body.ShapeType == "Solid" or body.ShapeType == "Shell" and body.isClosed())
-    wall = find_wall(body) if closed else None
-    if wall is None:
-        faces = list(body.Faces)
-    else:
-        faces = _skin(chosen, body, wall, choice)
-        closed = not wall.rim
-    if closed or choice.open not in ("auto", "largest", "none"):
-        faces = _opened(faces, choice.open, shape, chosen.notes, where)
-    chosen.faces += faces
 
 
 def _skin(chosen: Chosen, body: Any, wall: Wall, choice: Choice) -> list[Any]:
@@ -118,14 +112,15 @@ def _bodies(shape: Any) -> list[Any]:
 
 
 def _sewn(shape: Any, notes: list[str]) -> Any:
-    """Faces that lie edge to edge without having the edge in common become one shell."""
-    if shape.Solids or len(_bodies(shape)) < 2:
+    """Faces that lie edge to edge without having the edge in common become one shell, and the two ends of a
+    closed face one seam."""
+    before = _free_edges(shape)
+    if shape.Solids or not before:
         return shape
     _, part = freecad_session.load("Part")
-    before = _free_edges(shape)
     best = shape
     for fuzzy in (False, True):
-        if fuzzy and len(shape.Faces) > _MOST_SEWN:
+        if fuzzy and not 1 < len(shape.Faces) <= _MOST_SEWN:
             break
         try:
             if fuzzy:
@@ -145,6 +140,24 @@ def _sewn(shape: Any, notes: list[str]) -> Any:
         if before == 0:
             break
     return best
+
+
+def _refuse_gaps(bodies: Sequence[Any], shape: Any, where: str) -> None:
+    """Raise CurveUpsError for sheets that nearly meet, which would become pieces of their own."""
+    sheets = [body for body in bodies if body.ShapeType in ("Shell", "Face") and _free_edges(body)]
+    for number, sheet in enumerate(sheets):
+        for other in sheets[:number]:
+            gap, places, _ = other.distToShape(sheet)
+            if gap < _MEETING * shape.BoundBox.DiagonalLength:
+                first, second = (_nearest_face(shape, place) for place in places[0])
+                raise CurveUpsError(f"{first} and {second} nearly meet: there is a gap of {gap:.2g} mm",
+                                    where, "join them in the CAD, or name the faces to take (faces)")
+
+
+def _nearest_face(shape: Any, point: Any) -> str:
+    _, part = freecad_session.load("Part")
+    vertex = part.Vertex(point)
+    return f"Face{min((face.distToShape(vertex)[0], k) for k, face in enumerate(shape.Faces, 1))[1]}"
 
 
 def _free_edges(shape: Any) -> int:
@@ -213,12 +226,10 @@ def _lies_in(face: Any, axis: str, number: float, tolerance: float) -> bool:
 def _cut(faces: Sequence[Any], axis: str, number: float, above: bool, shape: Any) -> list[Any]:
     """Parts of faces on one side of a plane."""
     freecad, part = freecad_session.load("Part")
-    box = shape.BoundBox
-    low = [box.XMin - 1, box.YMin - 1, box.ZMin - 1]
-    high = [box.XMax + 1, box.YMax + 1, box.ZMax + 1]
-    place = "xyz".index(axis)
-    (low if above else high)[place] = number
-    if low[place] >= high[place]:
+    low, high = ({name: getattr(shape.BoundBox, f"{name.upper()}{end}") + room for name in "xyz"}
+                 for end, room in (("Min", -1), ("Max", 1)))
+    (low if above else high)[axis] = number
+    if low[axis] >= high[axis]:
         return []
-    side = part.makeBox(*(b - a for a, b in zip(low, high)), freecad.Vector(*low))
+    side = part.makeBox(*(high[name] - low[name] for name in "xyz"), freecad.Vector(*low.values()))
     return list(part.Shell(list(faces)).common(side).Faces)

@@ -95,19 +95,18 @@ class _Samples:
 
     def opposite(self) -> tuple[np.ndarray, np.ndarray]:
         """From each sample inwards: the distance of the first triangle, NaN where it does not look away, and
-        the number of its face. Of many samples the largest of each face are asked, the others take their
-        answers (NaN)."""
+        the number of its face. Of many samples only the largest of each face have a distance and an area."""
         count = len(self.points)
         distance, hit = np.full(count, np.nan), np.full(count, -1)
         if count > _MOST_TRIANGLES:
             return distance, hit
-        asked = self._chosen()
-        for block in np.array_split(asked, max(1, len(asked) * count // 4_000_000)):
+        chosen = self._chosen()
+        for block in np.array_split(chosen, max(1, len(chosen) * count // 4_000_000)):
             lengths, which = self._cast(block)
             distance[block] = np.where((self.normal[which] * self.normal[block]).sum(1) < _OPPOSITE, lengths,
                                        np.nan)
             hit[block] = self.face[which]
-        rest = np.setdiff1d(np.arange(count), asked)
+        rest = np.setdiff1d(np.arange(count), chosen)
         self.area[rest] = 0.0
         return distance, hit
 

@@ -10,7 +10,7 @@ import struct
 import xml.etree.ElementTree as ElementTree
 import zipfile
 from pathlib import Path
-from typing import Any, Callable, Iterator, NamedTuple, Sequence
+from typing import Any, Callable, Iterator, Sequence
 
 import numpy as np
 
@@ -72,6 +72,8 @@ def _obj_index(word: str, count: int) -> int:
 
 def read_off(path: Path) -> Mesh:
     """Vertices and faces of an OFF file (ASCII); colours are passed over."""
+    if re.match(rb"\s*(?:ST|C|N|4|n)*OFF\s+BINARY", path.read_bytes()[:80]):
+        raise CurveUpsError("this is a binary OFF file", str(path), "save it as text, or as STL or PLY")
     lines = path.read_text(encoding="utf-8-sig", errors="replace").splitlines()
     rows = [(number, words) for number, line in enumerate(lines, 1) if (words := line.split("#")[0].split())]
     number = 1
@@ -160,7 +162,8 @@ def _3mf_parts(root: ElementTree.Element) -> Iterator[Mesh]:
 
     def place(identity: str, at: np.ndarray) -> Iterator[Mesh]:
         V, F = own(identity)
-        yield V @ at[:3] + at[3], F
+        mirrored = np.linalg.det(at[:3]) < 0  # outsides stay outside
+        yield V @ at[:3] + at[3], F[:, ::-1] if mirrored else F
         for part in objects[identity].iter(f"{space}component"):
             inner = _transform(part)
             yield from place(part.get("objectid", ""),
@@ -217,21 +220,28 @@ _ORDERS = {"ascii": "", "binary_little_endian": "<", "binary_big_endian": ">"}
 _Take = Callable[[str, int], Any]  # so many numbers of this type, from where the last ended
 
 
-class _Element(NamedTuple):
-    """`properties`: name, type, and the type of the count before a list, or ''."""
-
-    name: str
-    rows: int
-    properties: list[tuple[str, str, str]]
-
-
 def read_ply(path: Path) -> Mesh:
     """Vertices and faces of a PLY file; other elements are passed over."""
     try:
-        data = path.read_bytes()
-        order, elements, start = _header(data)
-        take = _binary(data, start, order) if order else _text(data[start:])
-        rows = {element.name: _rows(element, take) for element in elements}
+        header, data = path.read_bytes().split(b"end_header", 1)
+        data = data[data.index(b"\n") + 1:]
+        order, elements = "", dict[str, tuple[int, list[tuple[str, str, str]]]]()
+        properties: list[tuple[str, str, str]] = []
+        for line in header.decode("ascii", "replace").splitlines():
+            words = line.split()
+            if words[:1] == ["format"]:
+                order = _ORDERS[words[1]]
+            elif words[:1] == ["element"]:  # number of rows; name, type and type of the count (of lists)
+                properties = []
+                elements[words[1]] = int(words[2]), properties
+            elif words[:2] == ["property", "list"]:
+                properties.append((words[4], _TYPES[words[3]], _TYPES[words[2]]))
+            elif words[:1] == ["property"]:
+                properties.append((words[2], _TYPES[words[1]], ""))
+        take = _binary(data, order) if order else _text(data)
+        rows = {element: [{name: take(kind, take(count, 1)[0] if count else 1)
+                           for name, kind, count in properties} for _ in range(number)]
+                for element, (number, properties) in elements.items()}
         V = np.array([[row[axis][0] for axis in "xyz"] for row in rows["vertex"]], float)
         polygons = [list(map(int, row.get("vertex_indices", row.get("vertex_index"))))
                     for row in rows["face"]]
@@ -239,23 +249,6 @@ def read_ply(path: Path) -> Mesh:
         raise CurveUpsError(f"this is no readable PLY file, or it ends early: {error}", str(path),
                             "export the file again") from None
     return mesh_of(V, polygons, path)
-
-
-def _header(data: bytes) -> tuple[str, list[_Element], int]:
-    """Order of bytes ('' for text), elements, and where the header ends."""
-    end = data.index(b"end_header")
-    order, elements = "", list[_Element]()
-    for line in data[:end].decode("ascii", "replace").splitlines():
-        words = line.split()
-        if words[:1] == ["format"]:
-            order = _ORDERS[words[1]]
-        elif words[:1] == ["element"]:
-            elements.append(_Element(words[1], int(words[2]), []))
-        elif words[:2] == ["property", "list"]:
-            elements[-1].properties.append((words[4], _TYPES[words[3]], _TYPES[words[2]]))
-        elif words[:1] == ["property"]:
-            elements[-1].properties.append((words[2], _TYPES[words[1]], ""))
-    return order, elements, data.index(b"\n", end) + 1
 
 
 def _text(text: bytes) -> _Take:
@@ -270,7 +263,9 @@ def _text(text: bytes) -> _Take:
     return take
 
 
-def _binary(data: bytes, at: int, order: str) -> _Take:
+def _binary(data: bytes, order: str) -> _Take:
+    at = 0
+
     def take(kind: str, count: int) -> Any:
         nonlocal at
         numbers = struct.unpack_from(f"{order}{count}{kind}", data, at)
@@ -278,9 +273,3 @@ def _binary(data: bytes, at: int, order: str) -> _Take:
         return numbers
 
     return take
-
-
-def _rows(element: _Element, take: _Take) -> list[dict[str, Any]]:
-    """Numbers of each row by property."""
-    return [{name: take(kind, take(count, 1)[0] if count else 1) for name, kind, count in element.properties}
-            for _ in range(element.rows)]

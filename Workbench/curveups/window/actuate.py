@@ -6,20 +6,18 @@ from __future__ import annotations
 from typing import Any, Optional
 
 from ..base.native import translated
-from ..features import actions
-from ..features.live import stored
+from ..features.design import stored
 from ..features.status import OUT_OF_DATE
 from ..stages import RISEN
 from ..stages.actuation import Actuation
-from . import runs
+from . import run
 from .binding import silent
-from .notice import errors_shown, show_line, shown
-from .overlay.cameras import active_view
+from .notice import errors_shown, shown
 from .overlay.scene import path_scene_of
-from .overlay.showing import uncover
+from .overlay.showing import active_view, uncover
 from .panel import Panel, show
-from .qt import QtCore, QtWidgets, translate
-from .run import LIVE, Task
+from .qt import QtCore, translate
+from .run import LIVE
 from .units import text_of
 
 _FRAME = 80  # ms between two pictures
@@ -36,9 +34,9 @@ class ActuatePanel(Panel):
         form.frame.valueChanged.connect(lambda *_: self._draw())
         form.frame.sliderPressed.connect(lambda: self._play(False))
         self.on_clicks(run=self.run, play=lambda: self._play(not self._clock.isActive()),
-                       select=self._select, save=self._save)
-        self.reasons.update(run=lambda: runs.reason("actuate", design), frame=self._no_path,
-                            play=self._no_path, save=self._no_path, select=self._no_open_contacts)
+                       select=self._select)
+        self.reasons.update(run=lambda: run.reason("actuate", design), frame=self._no_path,
+                            play=self._no_path, select=self._no_open_contacts)
         self._take(None)
         self.follow()
         self._draw()
@@ -54,8 +52,8 @@ class ActuatePanel(Panel):
         self.say("")
         self._play(False)
         with errors_shown(translate("CurveUps_Actuate", "Actuate")):
-            # Later: the view is about to show the design with its results.
-            runs.start("actuate", self.design, lambda: QtCore.QTimer.singleShot(0, self._arrived))
+            # Later: view and panel are about to show the results, and the panel becomes higher.
+            run.start("actuate", self.design, lambda: QtCore.QTimer.singleShot(_FRAME, self._arrived))
 
     def show(self) -> None:
         path = stored(self.design).latest(RISEN)
@@ -125,26 +123,6 @@ class ActuatePanel(Panel):
     def _select(self) -> None:
         if self._path is not None:
             self._overlay.select_tiles(self._path.open_tiles)
-
-    def _save(self) -> None:
-        """Write the frame that is shown into a file that the user chooses."""
-        number = self.form.frame.value()
-        self._play(False)
-        path, _ = QtWidgets.QFileDialog.getSaveFileName(
-            self.form, translate("CurveUps_Actuate", "Tiles as they are shown"),
-            f"{actions.file_name(self.design)}-{number + 1}.step", "STEP (*.step *.stp)")
-        if not path:
-            return
-        title = translate("CurveUps_Actuate", "Export STEP")
-
-        def written(design: Any, done: Any) -> None:
-            runs.finish("write_frame", design, done, repr(path), str(number))
-            show_line(translate("CurveUps_Actuate", "written: {path}", path=path))
-
-        with errors_shown(title):
-            work = actions.frame_work(self.design, path, number)
-            LIVE.start(self.design, Task(title, work, written, told=lambda: QtCore.QTimer.singleShot(
-                0, self._draw)))
 
     def _arrived(self) -> None:
         """Play the path of a run, all of it in view."""

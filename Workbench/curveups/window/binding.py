@@ -11,17 +11,22 @@ from typing import Any, Callable, Iterator, Mapping
 import FreeCAD
 import FreeCADGui
 
+from ..features import properties
 from ..features.actions import transaction
 from .notice import errors_shown
 from .preferences import plain
-from .qt import QtCore, QtWidgets, freecad_field, translate
-from .runs import assign
+from .qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, freecad_field, scroll_past, translate
+from .run import assign
 from .units import show_number, whole
 
 PAUSE = 400  # ms without typing, after which an edit is written
-_NARROW = 80  # px, width of a field
-_SIGNALS = {QtWidgets.QCheckBox: "toggled", QtWidgets.QComboBox: "currentIndexChanged",
-            QtWidgets.QLineEdit: "textEdited"}
+_NARROW = 105  # px, width of a field
+# Signal of an edit, value, and how another is shown, by kind of widget; others are FreeCAD's quantity fields.
+_KINDS: dict[type, tuple[str, Callable[[Any], Any], Callable[[Any, Any], object]]] = {
+    QtWidgets.QCheckBox: ("toggled", lambda box: box.isChecked(), lambda box, on: box.setChecked(on)),
+    QtWidgets.QComboBox: ("currentIndexChanged", lambda box: box.currentData(),
+                          lambda box, value: box.setCurrentIndex(box.findData(value))),
+    QtWidgets.QLineEdit: ("textEdited", lambda line: line.text(), lambda line, text: line.setText(text))}
 
 
 class Binding:
@@ -31,42 +36,33 @@ class Binding:
 
     def __init__(self, widget: Any, obj: Any, name: str, edited: Callable[[], object]):
         self.widget, self._object, self._name = widget, obj, name
-        signal = next((signal for kind, signal in _SIGNALS.items() if isinstance(widget, kind)), "")
-        if not signal:
+        self._kind = next((_KINDS[kind] for kind in _KINDS if isinstance(widget, kind)), None)
+        if self._kind is None:
             self._expression = FreeCADGui.ExpressionBinding(widget)
             self._expression.bind(obj, name)
         self.show(True)
         # `edited` must not refer to the widget: PySide would know it longer than Qt has it.
-        getattr(widget, signal or "valueChanged").connect(lambda *_: edited())
+        signal = "valueChanged" if self._kind is None else self._kind[0]
+        getattr(widget, signal).connect(lambda *_: edited())
 
     @property
     def value(self) -> Any:
         """Value that the widget shows, in FreeCAD's own units."""
-        if isinstance(self.widget, QtWidgets.QCheckBox):
-            return self.widget.isChecked()
-        if isinstance(self.widget, QtWidgets.QComboBox):
-            return self.widget.currentData()
-        if isinstance(self.widget, QtWidgets.QLineEdit):
-            return self.widget.text()
-        return self.widget.property("rawValue")
+        return self.widget.property("rawValue") if self._kind is None else self._kind[1](self.widget)
 
     def show(self, other_units: bool = False) -> None:
         """Show the property as it is. other_units: the user's unit schema has changed."""
         widget, value = self.widget, getattr(self._object, self._name)
         with silent(widget):
-            if isinstance(widget, QtWidgets.QCheckBox):
-                widget.setChecked(value)
-            elif isinstance(widget, QtWidgets.QComboBox):
-                widget.setCurrentIndex(widget.findData(value))
-            elif isinstance(widget, QtWidgets.QLineEdit):
-                if widget.text() != value:
-                    widget.setText(value)
-            else:
-                if other_units and hasattr(value, "Unit"):
-                    widget.setProperty("unit", value.getUserPreferred()[2])
-                # The text stays as it is typed while it says the same.
-                if other_units or not widget.hasFocus() or self.value != plain(value):
-                    show_number(widget, value)
+            if self._kind is not None:
+                if self.value != value:
+                    self._kind[2](widget, value)
+                return
+            if other_units and hasattr(value, "Unit"):
+                widget.setProperty("unit", value.getUserPreferred()[2])
+            # The text stays as it is typed while it says the same.
+            if other_units or not widget.hasFocus() or self.value != plain(value):
+                show_number(widget, value)
 
 
 @contextmanager
@@ -102,11 +98,11 @@ class ParameterRows:
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(lambda: self.flush())
         for name in names:
-            field = _field(obj, name)
+            field = scroll_past(_field(obj, name))
             field.setObjectName(name)
             # FreeCAD's fields ask for the width of their largest number, more than its dock has.
             field.setMinimumWidth(_NARROW)
-            label = self._labels[name] = QtWidgets.QLabel(_spaced(name))
+            label = self._labels[name] = QtWidgets.QLabel(_titled(name))
             form.addRow(label, _in_row(field, beside[name]()) if name in beside else field)
             self._bindings[name] = Binding(field, obj, name, partial(self._edit, name))
         place.addWidget(self._page)
@@ -171,7 +167,16 @@ def _field(obj: Any, name: str) -> Any:
         for choice in obj.getEnumerationsOfProperty(name):
             box.addItem(choice, choice)
         return box
-    return freecad_field("Gui::QuantitySpinBox")
+    field, row = freecad_field("Gui::QuantitySpinBox"), properties.parameter_of(name)
+    if row is not None:
+        limit(field, row, hasattr(getattr(obj, name), "Unit"))
+    return field
+
+
+def limit(field: Any, row: properties.Parameter, has_unit: bool = True) -> None:
+    """Give FreeCAD's field of a number the range of its parameter. has_unit: of the property."""
+    for end, value in (("minimum", row.minimum), ("maximum", row.maximum)):
+        field.setProperty(end, properties.quantity(row, value).Value if has_unit else value)
 
 
 def _in_row(field: Any, other: Any) -> Any:
@@ -181,7 +186,24 @@ def _in_row(field: Any, other: Any) -> Any:
     return row
 
 
-def _spaced(name: str) -> str:
-    """DGapMin as D Gap Min, as the property editor writes it."""
+# Words for names that are symbols of the method.
+_WORDS = {
+    "L": QT_TRANSLATE_NOOP("CurveUpsSolve", "Edge length"),
+    "HBody": QT_TRANSLATE_NOOP("CurveUpsSolve", "Thickness"),
+    "HPin": QT_TRANSLATE_NOOP("CurveUpsSolve", "Pin height"),
+    "DGapMin": QT_TRANSLATE_NOOP("CurveUpsSolve", "Least gap"),
+    "PMin": QT_TRANSLATE_NOOP("CurveUpsSolve", "Pin inset"),
+    "PFloor": QT_TRANSLATE_NOOP("CurveUpsSolve", "Least pin inset"),
+    "PMax": QT_TRANSLATE_NOOP("CurveUpsSolve", "Largest pin inset"),
+    "APinMin": QT_TRANSLATE_NOOP("CurveUpsSolve", "Pin area"),
+    "APinFloor": QT_TRANSLATE_NOOP("CurveUpsSolve", "Least pin area"),
+    "Tau": QT_TRANSLATE_NOOP("CurveUpsSolve", "Stretch"),
+    "FMinRatio": QT_TRANSLATE_NOOP("CurveUpsSolve", "Least force ratio")}
+
+
+def _titled(name: str) -> str:
+    """Title of a property's field: in words, or as the property editor writes the name (Crease Angle)."""
+    if name in _WORDS:
+        return f"{translate('CurveUpsSolve', _WORDS[name])} ({name})"
     return "".join(f" {letter}" if letter.isupper() and number and not name[number - 1].isupper() else letter
                    for number, letter in enumerate(name))

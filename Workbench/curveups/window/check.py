@@ -11,24 +11,29 @@ import FreeCAD
 
 from ..base.errors import CurveUpsError, tile_name
 from ..base.parameters import parameter
-from ..base.sentences import ESTIMATE, MARGINS
+from ..base.sentences import MARGINS
 from ..features import actions, document, properties
 from ..features.actions import transaction
 from ..project.project import Results
 from ..project.size_choice import SizeChoice
-from ..project.worker import Status
 from ..report import check as report
-from ..stages import asked_by
-from . import runs
+from ..stages import stages_of
+from . import run
 from .notice import errors_shown, show_line, shown, words_of
 from .panel import Panel, fit_columns, put
-from .qt import QtCore, QtWidgets, translate
-from .run import LIVE, Task
-from .runs import assign
+from .qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, translate
+from .run import LIVE, Task, assign
 from .units import in_user_units
 
 _MOST, _LETTERS = 300, 24  # obstacles; letters in a line
-# The fields of the overlay that show the margins.
+# Short titles of the margins, and the fields of the overlay that show them.
+_SHORT = dict(zip(MARGINS, (
+    QT_TRANSLATE_NOOP("CurveUps_Check", "Fold"), QT_TRANSLATE_NOOP("CurveUps_Check", "Back / front"),
+    QT_TRANSLATE_NOOP("CurveUps_Check", "Front pin"), QT_TRANSLATE_NOOP("CurveUps_Check", "Back pin"),
+    QT_TRANSLATE_NOOP("CurveUps_Check", "Front membrane"),
+    QT_TRANSLATE_NOOP("CurveUps_Check", "Back membrane"),
+    QT_TRANSLATE_NOOP("CurveUps_Check", "Least stretch"), QT_TRANSLATE_NOOP("CurveUps_Check", "Most stretch"),
+    QT_TRANSLATE_NOOP("CurveUps_Check", "Overlaps"))))
 _FIELDS = dict(zip(MARGINS, ("Dihedral margin", "Dihedral margin", "Pin area margin", "Pin area margin",
                              "Membrane clearance", "Membrane clearance", "Conformal stretch",
                              "Conformal stretch", "Obstacles")))
@@ -43,11 +48,11 @@ class CheckPanel(Panel):
         self._results: Optional[Results] = None
         self._drawn: tuple = ()
         form = self.form
-        form.margins.header().setSectionResizeMode(QtWidgets.QHeaderView.Stretch)
+        fit_columns(form.margins, 0)
         fit_columns(form.obstacles)
         self.on_clicks(check=self.check, find=self._find, choose=self._choose,
                        use_length=lambda: self._use("L"), use_thickness=lambda: self._use("H_body"))
-        self.reasons.update(check=lambda: runs.reason("check", design),
+        self.reasons.update(check=lambda: run.reason("check", design),
                             sizes=lambda: LIVE.obstacle() or self._out_of_date())
         form.margins.itemSelectionChanged.connect(lambda: self._show_margin())
         form.obstacles.itemSelectionChanged.connect(lambda: self.go_to(
@@ -70,12 +75,12 @@ class CheckPanel(Panel):
 
     def _start(self) -> None:
         with errors_shown(translate("CurveUps_Check", "Check")):
-            runs.start("check", self.design)
+            run.start("check", self.design)
 
     def _find(self) -> None:
         self.say("")
         with errors_shown(translate("CurveUps_Check", "Find Sizes")):
-            runs.start("find_sizes", self.design, self._fill)
+            run.start("find_sizes", self.design, self._fill)
 
     def show(self) -> None:
         scene = self._overlay.scene
@@ -85,10 +90,6 @@ class CheckPanel(Panel):
         if drawn != self._drawn:
             self._drawn = drawn
             self._fill()
-
-    def run_changed(self, status: Status, running: bool) -> None:
-        for part in (self.form.progress, self.form.doing):
-            part.setVisible(running)
 
     def _out_of_date(self) -> str:
         try:
@@ -102,10 +103,10 @@ class CheckPanel(Panel):
         form, out_of_date = self.form, self._out_of_date()
         if not out_of_date:
             project = document.project_of(self.design)
-            goals = asked_by("check", *(("sizes",) if project.out_of_date("sizes") == () else ()))
+            goals = stages_of("check", *(("sizes",) if project.out_of_date("sizes") == () else ()))
             self._results = project.run(goals)  # they are known: nothing is computed
         results = self._results
-        for part in (form.verdict, form.sizes, form.margins, form.obstacles, form.note, form.left):
+        for part in (form.verdict, form.sizes, form.margins, form.obstacles, form.left):
             part.setVisible(results is not None)
         if results is None:
             return
@@ -135,14 +136,20 @@ class CheckPanel(Panel):
         tree.clear()
         for figure in results["feasibility"].figures:
             head, number = in_user_units(words_of(figure.name))
-            _, worst, tile, *cells = report.row(figure, results["feasibility"].blocked, number)
-            top = QtWidgets.QTreeWidgetItem(tree, [fill(head, _LETTERS)])
-            top.setFirstColumnSpanned(True)
-            top.setExpanded(True)
-            values = QtWidgets.QTreeWidgetItem(top, [f"{worst}\n{tile}".strip(), *cells])
-            for item in (top, values):
-                item.setData(0, QtCore.Qt.UserRole, (_FIELDS[figure.name], tile))
-        self.form.note.setText(words_of(ESTIMATE))
+            _, worst, tile, _, short = report.row(figure, results["feasibility"].blocked, number)
+            needed = number(figure.needed, "g")
+            item = QtWidgets.QTreeWidgetItem(tree, [
+                translate("CurveUps_Check", _SHORT[figure.name]),
+                worst + " ✗" * (short != "0"),
+                f"≈ {needed}" if figure.estimate else needed])
+            tip = translate("CurveUps_Check",
+                            "{margin}: the worst tile is {tile}; tiles short of it: {count}",
+                            margin=head, tile=tile or "–", count=short)
+            for column in range(tree.columnCount()):
+                item.setToolTip(column, tip)
+            item.setData(0, QtCore.Qt.UserRole, (_FIELDS[figure.name], tile))
+        tree.setFixedHeight(tree.header().sizeHint().height() + tree.topLevelItemCount()
+                            * tree.sizeHintForRow(0) + 4)
 
     def _fill_obstacles(self, results: Results) -> None:
         form, blocked = self.form, results["feasibility"].blocked
@@ -150,7 +157,8 @@ class CheckPanel(Panel):
         for obstacle in blocked[:_MOST]:
             why = shown(obstacle.why, False)
             item = QtWidgets.QTreeWidgetItem(form.obstacles, [
-                tile_name(obstacle.tile), fill(why if obstacle.certain else f"{why} *", _LETTERS)])
+                tile_name(obstacle.tile), fill(why if obstacle.certain else translate(
+                    "CurveUps_Check", "likely: {why}", why=why), _LETTERS)])
             item.setToolTip(1, why)
             item.setData(0, QtCore.Qt.UserRole, obstacle.tile)
         form.obstacles.setVisible(bool(blocked))
@@ -187,7 +195,7 @@ def choose_sizes(design: Any, names: tuple[str, ...], done: Any = None) -> None:
     title = translate("CurveUps_Check", "Choose Sizes")
 
     def finish(obj: Any, choice: SizeChoice) -> None:
-        runs.finish("choose_sizes", obj, choice, repr(names))
+        run.finish("choose_sizes", obj, choice, repr(names))
         obj.Document.recompute()
         show_line("; ".join(shown(finding, False) for finding in choice.findings()))
 

@@ -15,7 +15,7 @@ from ..base.native import native, problem
 from ..features import actions
 from ..features.document import has_layout
 from ..features.status import has_tiles
-from . import runs
+from . import run
 from .actuate import actuate
 from .check import CheckPanel
 from .cuts import CutsPanel
@@ -27,8 +27,7 @@ from .overlay.panel import OverlayPanel, WorstContactsPanel
 from .overlays import chosen_design, no_design, overlay_of
 from .panel import Panel, obstacle, show
 from .qt import QT_TRANSLATE_NOOP, QtCore, QtGui, translate
-from .run import LIVE, Task
-from .runs import named
+from .run import LIVE, Task, named
 from .solve import SolvePanel, let_it_need_little_friction
 
 Action = Callable[[Any], object]  # on a Design object; None for commands that need none
@@ -109,7 +108,7 @@ def _write_report(design: Any) -> None:
     folder = str(place / f"{actions.file_name(design)}-report")
 
     def opened(design: Any, page: str) -> None:
-        runs.finish("report", design, page, repr(folder))
+        run.finish("report", design, page, repr(folder))
         QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(page))
 
     work = actions.report_work(design, folder)
@@ -129,27 +128,22 @@ def _at_work(_: Any) -> str:
 
 
 def _not_ready(which: str) -> Reason:
-    return partial(runs.reason, which)
-
-
-def _scene_of(design: Any) -> Any:
-    try:
-        return overlay_of(design).scene
-    except KeyError:
-        return None
+    return partial(run.reason, which)
 
 
 def _no_tiles(design: Any) -> str:
-    if _scene_of(design) is not None or has_tiles(design) or has_layout(design):  # a hidden one has no scene
+    if has_tiles(design) or has_layout(design):
         return ""
     return translate("CurveUps", "There are no tiles yet: run Solve")
 
 
 def _no_layout(design: Any) -> str:
-    scene = _scene_of(design)
-    if has_layout(design) if scene is None else scene.flat is not None:
-        return ""
-    return translate("CurveUps", "There is no layout yet: run Solve")
+    return "" if has_layout(design) else translate("CurveUps", "There is no layout yet: Solve makes it")
+
+
+def _no_flat_tiles(design: Any) -> str:
+    scene = overlay_of(design).scene  # Cuts shows layouts that no document holds
+    return "" if scene is not None and scene.flat is not None else _no_layout(design)
 
 
 def _no_solids(design: Any) -> str:
@@ -179,6 +173,9 @@ _STEPS = (
     Command("CurveUps_Solve", "Solve",
             "Lay the tiles out flat, verify that the membranes hold the shape, and repair weak contacts",
             _starts("solve"), (_other_panel, _not_ready("solve")), "C, S"),
+    Command("CurveUps_Verify", "Verify",
+            "Decide whether the present layout is valid with the present tiles and membranes",
+            _starts("verify"), (_other_panel, _not_ready("verify")), "C, V"),
     Command("CurveUps_Cuts", "Cuts",
             "Pick edges along which tiles are disconnected, or ask for suggestions",
             _opens(CutsPanel), (_other_panel, _no_solver, _at_work)),
@@ -199,9 +196,9 @@ _MENUS = {
         Command("CurveUps_Target", "Change Target",
                 "Give the design another surface: the selected Part or Mesh object, or a file",
                 change_target, (_no_solver,)),
-        Command("CurveUps_Verify", "Verify",
-                "Decide whether the present layout is valid with the present tiles and membranes",
-                _starts("verify"), (_other_panel, _not_ready("verify")), "C, V"),
+        Command("CurveUps_TileAnew", "Tile Anew",
+                "Solve with new tiles: they do not follow the earlier ones, and get other numbers",
+                _starts("tile_anew"), (_other_panel, _not_ready("tile_anew"), _no_tiles)),
         Command("CurveUps_Repair", "Repair",
                 "Move tiles and pins of the layout until weak contacts hold",
                 _starts("repair"), (_other_panel, _not_ready("repair")), "C, R"),
@@ -225,7 +222,7 @@ _MENUS = {
     ),
     _SHOW: (
         Command("CurveUps_ShowFlat", "Show Flat", "Show the tiles in the flat layout",
-                _shows("show_flat"), (_no_layout,)),
+                _shows("show_flat"), (_no_flat_tiles,)),
         Command("CurveUps_ShowActuated", "Show Actuated", "Show the tiles in the target shape",
                 _shows("show_actuated"), (_no_tiles,)),
         Command("CurveUps_ShowSolids", "Show Solids",

@@ -10,44 +10,40 @@ from typing import Any, Callable, Iterable, Optional
 import FreeCAD
 import numpy as np
 
-from ..base.errors import CurveUpsError
 from ..features import document
 from ..features.actions import transaction
+from ..features.status import CURRENT, status_of
 from ..project.worker import Status
 from ..stages.cut_request import CutRequest
 from ..stages.stage import Job
-from . import runs
+from . import run
 from .cut_paths import CutPaths, Edge, groups
 from .notice import errors_shown
 from .overlay.picking import CutLines, Pick, PickTool
-from .panel import Panel, fit_columns
+from .panel import Panel, fit_columns, put
 from .qt import QtCore, QtWidgets, translate
-from .run import LIVE, Task
-from .runs import call, named
+from .run import LIVE, Task, call, named
 
 
 class CutLayout:
-    """Layouts of a Design with other cuts, on a copy of its project. They are shown, not stored."""
+    """Layouts of a Design with other cuts, on a copy of its project. They are shown, not stored. of_target:
+    the design has no layout of the present target."""
 
     def __init__(self, design: Any, project: Any):
         self._design, self._project = design, project
         V, F = np.asarray(project.latest("target smoothing").V), np.asarray(project.latest("target").F)
         finished = project.latest("design")
-        has_layout = finished is not None and np.array_equal(finished.design.F, F)
-        # Layouts stay where the camera looks: at the one before, else at the target.
-        self._middle = (finished.design.T if has_layout else V[F][..., :2]).mean((0, 1))
+        self.of_target = finished is None or not np.array_equal(finished.design.F, F)
+        # Layouts stay where the camera looks, and as they lay: as the one before, else as the target.
+        self._before = V[F][..., :2] if self.of_target else np.asarray(finished.design.T)
         self._last: Optional[tuple[np.ndarray, np.ndarray]] = None
-        self.seconds, self.restarting = 0.0, False
+        self.seconds = 0.0
 
     def start(self, edges: np.ndarray, done: Callable[[], None]) -> None:
         """Lay out with these cuts, C x 2, and those of pieces, in place of a layout that runs already.
         `done` is called in the window's thread after the run's end."""
         if LIVE.runs_on(self._design):
-            self.restarting = True
-            try:
-                LIVE.cancel()
-            finally:
-                self.restarting = False
+            LIVE.cancel(silent=True)
         begin, twin = time.perf_counter(), self._project.copy()
         twin.give("cut request", CutRequest(edges=np.asarray(edges, np.int32).reshape(-1, 2)))
 
@@ -60,7 +56,7 @@ class CutLayout:
             return self._in_sight(design.T), design.q
 
         def finish(design: Any, layout: Any) -> None:
-            self._last = layout
+            self._last, self._before = layout, layout[0]
             self.seconds = time.perf_counter() - begin
 
         LIVE.start(self._design, Task(translate("CurveUps_Cuts", "Lay out"), work, finish, told=done))
@@ -68,10 +64,19 @@ class CutLayout:
     def show(self, overlay: Any) -> None:
         """Draw the last layout."""
         if self._last is not None:
-            overlay.set_iterate(*self._last)
+            overlay.set_iterate(*self._last, note=translate("CurveUps_Cuts", "layout with these cuts"))
 
     def _in_sight(self, T: np.ndarray) -> np.ndarray:
-        return T + (self._middle - T.mean((0, 1)))
+        return aligned(T, self._before)
+
+
+def aligned(T: np.ndarray, before: np.ndarray) -> np.ndarray:
+    """Move and turn flat tiles (M x 3 x 2) in their plane, so that they lie near others by least squares."""
+    middle, to = T.mean((0, 1)), before.mean((0, 1))
+    (xx, xy), (yx, yy) = np.einsum("mki,mkj->ij", T - middle, before - to)
+    angle = np.arctan2(xy - yx, xx + yy)
+    c, s = np.cos(angle), np.sin(angle)
+    return (T - middle) @ np.array([[c, s], [-s, c]]) + to
 
 
 class CutsPanel(Panel):
@@ -104,12 +109,12 @@ class CutsPanel(Panel):
 
     def end(self) -> None:
         FreeCAD.removeDocumentObserver(self)
-        if LIVE.runs_on(self.design):
-            LIVE.cancel()
+        self._stop_layout()
         if self._tool is not None:
             self._tool.close()
         if not self._overlay.closed:
             self._lines.close()
+            self._overlay.shows_target = False
             self._overlay.show_design()
 
     def show(self) -> None:
@@ -136,12 +141,15 @@ class CutsPanel(Panel):
         if project.out_of_date("target smoothing") == ():
             self._begin(project)
             return
-        runs.start("divide", self.design, lambda: self._begin(document.project_of(self.design)))
+        self.say(translate("CurveUps_Cuts", "The target is being divided into tiles: click edges after that"))
+        run.start("divide", self.design, lambda: self._begin(document.project_of(self.design)))
 
     def _begin(self, project: Any) -> None:
         self._paths = CutPaths(project.latest("target smoothing").V, project.latest("target").F)
         self._layout = CutLayout(self.design, project)
         self._tool = PickTool(self.design, self._hover, self._click, self._begin_anew)
+        self._overlay.show_target(self._layout.of_target)
+        self.say("")
         self.update()
 
     def _edges(self) -> list[Edge]:
@@ -159,22 +167,21 @@ class CutsPanel(Panel):
 
     def _reach(self, picked: Optional[Pick]) -> tuple[list[Edge], Optional[int]]:
         """Edges that a click cuts, and the vertex from which the next one continues."""
-        if picked is None or self._paths is None or picked.overlay.scene is None:
+        if picked is None or self._paths is None or not self._shows_target():
             return [], self._tip
-        if not np.array_equal(picked.overlay.scene.F, self._paths.F):
-            raise CurveUpsError(translate("CurveUps_Cuts", "the layout is of another target"),
-                                self.design.Label, translate("CurveUps_Cuts", "run Solve first"))
         a, b = picked.vertices
         if self._tip is None:  # the first path continues from the nearer end
             distances = np.linalg.norm(picked.ends - picked.point, axis=1)
             a, b = (a, b) if distances[1] < distances[0] else (b, a)
         return self._paths.reach((a, b), self._tip)
 
+    def _shows_target(self) -> bool:
+        """True where the tiles in the view are those whose edges are cut."""
+        scene = self._overlay.scene
+        return scene is not None and self._paths is not None and np.array_equal(scene.F, self._paths.F)
+
     def _hover(self, picked: Optional[Pick]) -> None:
-        try:
-            preview = self._reach(picked)[0]
-        except CurveUpsError:
-            preview = []
+        preview = self._reach(picked)[0]
         if picked is not None and _edge_of(picked) in self._edges():
             preview = [_edge_of(picked)]
         if preview != self._preview:
@@ -196,11 +203,10 @@ class CutsPanel(Panel):
             else:
                 self.say(translate("CurveUps_Cuts", "The rim is open already: click an edge inside"))
 
-    def _begin_anew(self) -> bool:
-        """Let the next click start a new cut. True if there was one to end."""
-        had_tip, self._tip, self._preview = self._tip is not None, None, []
+    def _begin_anew(self) -> None:
+        """Let the next click start a new cut."""
+        self._tip, self._preview = None, []
         self.update()
-        return had_tip
 
     # The list.
 
@@ -287,9 +293,12 @@ class CutsPanel(Panel):
     # The layout that follows.
 
     def _lay_out(self) -> None:
-        scene = self._overlay.scene
-        if (self._layout is None or not self.form.live.isChecked() or scene is None or self._paths is None
-                or not np.array_equal(scene.F, self._paths.F)):
+        if self._layout is None or not self.form.live.isChecked() or not self._shows_target():
+            return
+        if status_of(self.design).parts["Layout"][0] == CURRENT:  # undo led back to its cuts
+            self._stop_layout()
+            self._overlay.show_design()
+            put(self.form.doing, "")
             return
         with errors_shown(translate("CurveUps_Cuts", "Lay out")):
             self._layout.start(document.cuts_of(self.design), self._show_layout)
@@ -298,22 +307,18 @@ class CutsPanel(Panel):
         if self.form is None or self._overlay.closed or self._layout is None:
             return
         self._layout.show(self._overlay)
-        self.form.doing.setText(translate(
+        put(self.form.doing, translate(
             "CurveUps_Cuts", "Layout in {seconds:.1f} s. Solve repairs and verifies it.",
             seconds=self._layout.seconds))
         self._draw()
 
     def _stop_layout(self) -> None:
         if LIVE.runs_on(self.design):
-            LIVE.cancel()
+            LIVE.cancel(silent=True)
 
     def run_changed(self, status: Status, running: bool) -> None:
         if running:
             self._draw()
-
-    def say(self, text: str) -> None:
-        if self._layout is None or not self._layout.restarting:  # a restart after a click is no news
-            super().say(text)
 
     # Reasons why buttons are disabled.
 

@@ -13,14 +13,17 @@ import FreeCAD
 
 from ..base.errors import CurveUpsError
 from ..base.native import native
+from ..base.parameters import parameter
 from ..features import actions
 from ..features.document import settings_of
+from ..features.properties import quantity
 from ..features.proxy import HIDDEN
 from ..features.status import OUT_OF_DATE
 from ..kit.files import Order, last_order, print_names
-from ..report.exports import Choice, choices, file_names
+from ..report.exports import Choice, all_names, choices
 from ..stages.solids import KINDS
-from . import preferences, runs
+from . import preferences, run
+from .binding import limit
 from .notice import errors_shown, link, shown
 from .panel import Panel, fit_columns, put
 from .qt import QtCore, QtWidgets, translate
@@ -108,11 +111,12 @@ class ExportPanel(_FilesPanel):
         fit_columns(form.files, 0)
         self._list_files()
         form.deviation.setProperty("unit", "mm")
-        form.deviation.setProperty("minimum", 0.0001)
-        deviation = settings_of(design).get("mesh_deviation")
-        show_number(form.deviation, FreeCAD.Units.Quantity(f"{deviation} mm"))
+        row = parameter("mesh_deviation")
+        limit(form.deviation, row)
+        show_number(form.deviation, quantity(row, settings_of(design).get(row.name)))
         form.names.setText(preferences.group().GetString("ExportMask", Choice.mask))
         form.files.itemChanged.connect(lambda *_: self._show_names())
+        form.reports.toggled.connect(lambda *_: self._show_names())
         form.insist.toggled.connect(lambda *_: self.show_reasons())
         self.reasons.update(write=lambda: LIVE.obstacle() or self._refusal(),
                             files=lambda: LIVE.obstacle() if LIVE.runs_on(design) else "")
@@ -140,7 +144,7 @@ class ExportPanel(_FilesPanel):
 
     def _written(self, folder: str, choice: Choice, design: Any, names: list[str]) -> None:
         arguments = folder, choice.files, choice.mask, choice.deviation, choice.reports, choice.insist
-        runs.finish("export", design, names, *map(repr, arguments))
+        run.finish("export", design, names, *map(repr, arguments))
         files = [("", translate("CurveUpsExport", "open the folder"))]
         files += [(name, translate("CurveUpsExport", "open the report"))
                   for name in names if name == "report.html"]
@@ -168,7 +172,7 @@ class ExportPanel(_FilesPanel):
         self.form.insist.setVisible(bool(self.form.doubts.text()))
 
     def _names(self) -> Iterable[str]:
-        return file_names(self.design.Label, self.choice()).values()
+        return all_names(self.design.Label, self.choice())
 
     def _refusal(self) -> str:
         if self.form.insist.isChecked() or not actions.doubts(self.design):
@@ -190,7 +194,7 @@ class KitPanel(_FilesPanel):
         form.quantity.setValue(order.quantity)
         form.names.setText(order.mask)
         form.quantity.valueChanged.connect(lambda *_: self._show_names())
-        self.reasons["write"] = lambda: runs.reason("kit", design)
+        self.reasons["write"] = lambda: run.reason("kit", design)
         self.prepare()
         if not design.Kit.startswith(OUT_OF_DATE):
             self._show_links()
@@ -207,8 +211,8 @@ class KitPanel(_FilesPanel):
             self._names()  # refuses wrong ones before anything starts
 
             def written(design: Any, kit: actions.WrittenKit) -> None:
-                runs.finish("kit", design, kit, repr(folder), f"quantity={order.quantity}",
-                            f"mask={order.mask!r}", f"language={order.language!r}")
+                run.finish("kit", design, kit, repr(folder), f"quantity={order.quantity}",
+                           f"mask={order.mask!r}", f"language={order.language!r}")
                 self._show_links()
 
             self._start(title, actions.kit_work(self.design, folder, order), written)

@@ -8,7 +8,7 @@ import sys
 import sysconfig
 from html import escape
 from pathlib import Path
-from typing import Any, Optional
+from typing import Any
 
 import FreeCAD
 import FreeCADGui
@@ -16,19 +16,25 @@ import FreeCADGui
 from .. import __version__
 from ..base.errors import CurveUpsError
 from ..base.native import native
+from .notice import show_box
 from .qt import RESOURCES, QtCore, QtGui, QtWidgets, translate
 
 _WIDTH = 640  # of pictures, px
-_guide: Optional[Any] = None
 
 
 def show_guide(_: Any) -> None:
     """Open the guide in a window of its own."""
-    global _guide
-    if _guide is None:
-        _guide = _make_guide()
-    _guide.show()
-    _guide.raise_()
+    page = _Page(FreeCADGui.getMainWindow())
+    page.setWindowFlags(QtCore.Qt.Window)
+    page.setAttribute(QtCore.Qt.WA_DeleteOnClose)
+    page.setObjectName("CurveUpsGuide")
+    page.setWindowTitle(translate("CurveUps_Guide", "Guide to CurveUps"))
+    page.setOpenExternalLinks(True)
+    # White as its pictures. Qt writes links in dark blue, whatever the theme.
+    page.setStyleSheet("QTextBrowser { background: white; color: black; }")
+    page.resize(_WIDTH + 80, 760)
+    page.setSource(QtCore.QUrl.fromLocalFile(str(RESOURCES / "docs" / "guide.md")))
+    page.show()
 
 
 class _Page(QtWidgets.QTextBrowser):
@@ -41,27 +47,6 @@ class _Page(QtWidgets.QTextBrowser):
             if picture.width() > _WIDTH:
                 return picture.scaledToWidth(_WIDTH, QtCore.Qt.SmoothTransformation)
         return resource
-
-
-def _make_guide() -> Any:
-    dialog = QtWidgets.QDialog(FreeCADGui.getMainWindow())
-    dialog.setObjectName("CurveUpsGuide")
-    dialog.setWindowTitle(translate("CurveUps_Guide", "Guide to CurveUps"))
-    page = _Page()
-    page.setObjectName("page")
-    page.setOpenExternalLinks(True)
-    # White as its pictures. Qt writes links in dark blue, whatever the theme.
-    page.setStyleSheet("QTextBrowser { background: white; color: black; }")
-    back = QtWidgets.QPushButton(translate("CurveUps_Guide", "Back"))
-    back.setEnabled(False)
-    back.clicked.connect(lambda *_: page.backward())
-    page.backwardAvailable.connect(back.setEnabled)
-    column = QtWidgets.QVBoxLayout(dialog)
-    column.addWidget(page)
-    column.addWidget(back, 0, QtCore.Qt.AlignLeft)
-    dialog.resize(_WIDTH + 80, 760)
-    page.setSource(QtCore.QUrl.fromLocalFile(str(RESOURCES / "docs" / "guide.md")))
-    return dialog
 
 
 def solver_status() -> list[tuple[str, str]]:
@@ -100,13 +85,7 @@ def show_solver_status(_: Any) -> None:
     rows = solver_status()
     for what, text in rows:
         FreeCAD.Console.PrintMessage(f"CurveUps, {what}: {text}\n")
-    box = QtWidgets.QMessageBox(FreeCADGui.getMainWindow())
-    box.setObjectName("CurveUpsSolverStatus")
-    box.setAttribute(QtCore.Qt.WA_DeleteOnClose)
-    box.setWindowTitle(translate("CurveUps_SolverStatus", "Solver Status"))
-    box.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
-    box.setText("<table>" + "".join(
-        f"<tr><td><b>{escape(what)}</b>&nbsp;&nbsp;</td><td>{escape(text)}</td></tr>"
-        for what, text in rows) + "</table>")
-    box.setModal(False)
-    box.show()
+    table = "".join(f"<tr><td><b>{escape(what)}</b>&nbsp;&nbsp;</td><td>{escape(text)}</td></tr>"
+                    for what, text in rows)
+    show_box("CurveUpsSolverStatus", translate("CurveUps_SolverStatus", "Solver Status"),
+             f"<table>{table}</table>")

@@ -10,10 +10,10 @@ import FreeCADGui
 
 from ..features.actions import transaction
 from .notice import errors_shown
-from .panel import show
+from .panel import obstacle, show
 from .preferences import remembered
 from .qt import QtWidgets, translate
-from .runs import assign, call, named, new_document
+from .run import assign, call, named, new_document
 from .solve import SolvePanel
 
 SURFACE = "Surface of the design"
@@ -21,14 +21,18 @@ _FORMATS = "*.stl *.obj *.ply *.off *.3mf *.step *.stp *.iges *.igs *.brep *.brp
 
 
 def new_design(_: Any) -> None:
-    """Make a design of the selected surface, or of a file that the user chooses."""
+    """Make a design of the selected surface, or of a file that the user chooses, and show its panel: Check
+    and Solve are the next steps."""
     source = selected_surface()
     if source is not None:
-        make_design(source.Document, named(source), _selected_faces(source))
-        return
-    path = ask_for_file(SURFACE)
-    if path:
-        make_design(FreeCAD.ActiveDocument or new_document("Unnamed", "Unnamed"), repr(path))
+        design = make_design(source.Document, named(source), _selected_faces(source))
+    else:
+        path = ask_for_file(SURFACE)
+        if not path:
+            return
+        design = make_design(FreeCAD.ActiveDocument or new_document("Unnamed", "Unnamed"), repr(path))
+    if not obstacle():
+        show(SolvePanel, design)
 
 
 def open_example(target: str, title: str, _: Any) -> None:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Errors in one line: in an open panel, else in a notice over the window, and in the report view. A click on
-a tile's name selects the tile."""
+"""Errors in one line: in an open panel, else in a box, and in the report view. A click on a tile's name
+selects the tile."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ import xml.etree.ElementTree as xml
 from contextlib import contextmanager
 from functools import lru_cache
 from html import escape
-from typing import Any, Callable, Iterator, Optional
+from typing import Callable, Iterator, Optional
 
 import FreeCAD
 import FreeCADGui
 
-from ..base.errors import CurveUpsError, Stopped, tile_name
+from ..base.errors import CurveUpsError, Stopped, tile_name, without_package
 from ..base.findings import Finding, Style
 from ..base.sentences import CONTEXT
 from ..features.properties import named
@@ -24,6 +24,7 @@ from .overlays import select_tiles
 from .qt import RESOURCES, QtCore, QtGui, QtWidgets, ink_and_paper, translate
 from .units import quantity
 
+_SHOWN = 20_000  # ms that a line stays in the status bar
 _panel: Optional[Callable[[str], None]] = None  # shows a line of rich text
 
 
@@ -43,12 +44,16 @@ def show_error(error: Exception, what: str = "") -> None:
     if os.environ.get("CURVEUPS_DEBUG") == "1":
         lines = traceback.format_exception(type(error), error, error.__traceback__)
         FreeCAD.Console.PrintError("".join(lines))
+    error = without_package(error)
     if not isinstance(error, CurveUpsError):
         error = CurveUpsError(translate(
             "CurveUps", "unexpected {kind} ({said}): please report it, with what CURVEUPS_DEBUG=1 shows",
             kind=type(error).__name__, said=" ".join(str(error).split())))
     FreeCAD.Console.PrintError(f"CurveUps{f', {what}' if what else ''}: {error}\n")
-    _show(_rich(error))
+    if _panel is not None:
+        _panel(_rich(error))
+    else:
+        show_box("CurveUpsNotice", "CurveUps", _rich(error))
 
 
 def _rich(error: CurveUpsError) -> str:
@@ -63,19 +68,15 @@ def _rich(error: CurveUpsError) -> str:
 
 
 def show_line(line: str) -> None:
-    """Show a line in the panel that is open, else as a notice."""
-    _show(escape(line, quote=False))
-
-
-def _show(text: str) -> None:
+    """Show a line in the panel that is open, else in the status bar."""
     if _panel is not None:
-        _panel(text)
+        _panel(escape(line, quote=False))
     else:
-        Notice.show_text(text)
+        FreeCADGui.getMainWindow().statusBar().showMessage(line, _SHOWN)
 
 
 def show_in(panel: Optional[Callable[[str], None]]) -> None:
-    """Show lines in a panel from now on; None: as notices."""
+    """Show lines in a panel from now on; None: in none."""
     global _panel
     _panel = panel
 
@@ -130,58 +131,19 @@ def follow_link(link: str) -> None:
         select_tiles(link)
 
 
-class Notice(QtWidgets.QFrame):
-    """A line over the views. It closes after a while."""
-
-    SECONDS = 20
-    _shown: Optional["Notice"] = None
-
-    @classmethod
-    def show_text(cls, text: str) -> None:
-        """Show rich text, in place of an earlier notice."""
-        cls.hide_text()
-        cls._shown = cls(FreeCADGui.getMainWindow(), text)
-
-    @classmethod
-    def hide_text(cls) -> None:
-        """Close the notice."""
-        if cls._shown is not None:
-            cls._shown.close()
-            cls._shown = None
-
-    def __init__(self, window: Any, text: str):
-        super().__init__(window)
-        self.setObjectName("CurveUpsNotice")
-        self.setAttribute(QtCore.Qt.WA_DeleteOnClose)
-        self.setFrameShape(QtWidgets.QFrame.StyledPanel)
-        self.setAutoFillBackground(True)
-        label = QtWidgets.QLabel(text)
-        label.setObjectName("text")
-        label.setWordWrap(True)
-        label.setTextFormat(QtCore.Qt.RichText)
-        label.setTextInteractionFlags(QtCore.Qt.TextBrowserInteraction)
-        label.linkActivated.connect(lambda link: follow_link(link))
-        close = QtWidgets.QToolButton()
-        close.setText("×")
-        close.setToolTip(translate("CurveUps", "Close"))
-        close.clicked.connect(lambda: Notice.hide_text())
-        row = QtWidgets.QHBoxLayout(self)
-        row.addWidget(label, 1)
-        row.addWidget(close)
-        self._place(window)
-        self.show()
-        for milliseconds in (0, 500):  # the report view may open above it
-            QtCore.QTimer.singleShot(milliseconds, self, QtCore.SLOT("raise()"))
-        QtCore.QTimer.singleShot(1000 * self.SECONDS, self._leave)
-
-    def _place(self, window: Any) -> None:
-        """Move the notice to the upper edge of the views."""
-        area = window.centralWidget().geometry()
-        width = max(240, min(720, area.width() - 40))
-        self.setFixedWidth(width)
-        self.adjustSize()
-        self.move(area.center().x() - width // 2, area.top() + 40)
-
-    def _leave(self) -> None:
-        if Notice._shown is self:
-            Notice.hide_text()
+def show_box(name: str, title: str, text: str) -> None:
+    """Show rich text in a box beside which work goes on. name: of the box, which replaces an earlier one."""
+    window = FreeCADGui.getMainWindow()
+    earlier = window.findChild(QtWidgets.QMessageBox, name)
+    if earlier is not None:
+        earlier.close()
+    box = QtWidgets.QMessageBox(window)
+    box.setObjectName(name)
+    box.setAttribute(QtCore.Qt.WA_DeleteOnClose)
+    box.setWindowTitle(title)
+    box.setTextFormat(QtCore.Qt.RichText)
+    box.setTextInteractionFlags(QtCore.Qt.TextBrowserInteraction)
+    box.setText(text)
+    box.findChild(QtWidgets.QLabel, "qt_msgbox_label").linkActivated.connect(lambda link: follow_link(link))
+    box.setModal(False)
+    box.show()

@@ -1,28 +1,42 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Registry of overlays: commands, panels and runs get theirs from `overlay_of(design)`."""
+"""Overlays of designs, which `overlay_of(design)` gives, and the observers of FreeCAD that they follow:
+selection of tiles, deleted documents, the unit schema."""
 
 from __future__ import annotations
 
+import re
+from contextlib import suppress
+from html import escape
 from typing import Any
 
 import FreeCAD
 import FreeCADGui
 
+from ..base.errors import tile_name
 from ..features.document import design_of, designs
-from .qt import translate
+from .qt import QtCore, QtGui, QtWidgets, translate
 
-_OVERLAYS: dict[tuple[str, str], Any] = {}  # by names of document and object
+Place = tuple[str, str]  # names of a document and an object
+_OVERLAYS: dict[Place, Any] = {}
+_TILE = re.compile(r"(?:^|\.)T(\d{5,})$")
+_observer: Any = None
+_UNITS = "User parameter:BaseApp/Preferences/Units"
+
+
+def place_of(design: Any) -> Place:
+    """Names by which a Design is found again, or is known to be gone."""
+    return design.Document.Name, design.Name
 
 
 def add(design: Any, overlay: Any) -> None:
     """Register the Overlay of a Design object."""
-    _OVERLAYS[design.Document.Name, design.Name] = overlay
+    _OVERLAYS[place_of(design)] = overlay
 
 
 def overlay_of(design: Any) -> Any:
     """Overlay of a Design object. Raises KeyError where it has none: without a window, or a design that never
     got its view."""
-    key = (design.Document.Name, design.Name)
+    key = place_of(design)
     if key not in _OVERLAYS:
         # Undone deletions bring a view provider back without attaching it anew.
         kept = getattr(getattr(design.ViewObject, "Proxy", None), "overlay", None)
@@ -70,3 +84,89 @@ def select_tiles(link: str) -> None:
     design = chosen_design()
     if design is not None:
         overlay_of(design).select_tiles([int(name[1:]) - 1 for name in link.split(",")])
+
+
+def start() -> None:
+    """Observe FreeCAD, once a session."""
+    global _observer
+    if _observer is None:
+        _observer = _Observer()
+        FreeCADGui.Selection.addObserver(_observer)
+        FreeCAD.addDocumentObserver(_observer)
+
+
+def tile_in(element: str) -> int:
+    """Tile that the name of a sub-element ends with; -1 for other names."""
+    match = _TILE.search(element)
+    return int(match[1]) - 1 if match else -1
+
+
+def selected_tiles(design: Any) -> list[int]:
+    """Tiles of a Design that are selected, in the order of their selection."""
+    for selected in FreeCADGui.Selection.getSelectionEx(design.Document.Name):
+        if selected.ObjectName == design.Name:
+            return [tile for tile in map(tile_in, selected.SubElementNames) if tile >= 0]
+    return []
+
+
+def _show_at_pointer(title: str, values: list[tuple[str, str]]) -> None:
+    """Show values of a tile in a small table where it was clicked; lists and links show them elsewhere."""
+    place = QtGui.QCursor.pos()
+    below, views = QtWidgets.QApplication.widgetAt(place), FreeCADGui.getMainWindow().centralWidget()
+    if below is None or not views.isAncestorOf(below):
+        return
+    rows = "".join(f"<tr><td>{escape(name)}&nbsp;&nbsp;</td><td>{escape(value)}</td></tr>"
+                   for name, value in values)
+    QtWidgets.QToolTip.showText(place, f"<b>{title}</b><table>{rows}</table>", below)
+
+
+class _Observer:
+    """Observer of the selection, of documents and of the user's unit schema."""
+
+    def __init__(self) -> None:
+        self._hovered: tuple[str, str, str] = ("", "", "")
+        self._units = FreeCAD.ParamGet(_UNITS)
+        self._units.Attach(self)
+
+    def addSelection(self, document: str, name: str, element: str, point: Any) -> None:
+        self._tell(document, element)
+
+    def clearSelection(self, document: str, *_: str) -> None:
+        self._tell(document)
+
+    removeSelection = setSelection = clearSelection
+
+    def setPreselection(self, document: str, name: str = "", element: str = "") -> None:
+        self._hovered = (document, name, element)
+        self._tell(document)
+
+    def removePreselection(self, document: str, *_: str) -> None:
+        self.setPreselection(document)
+
+    def _tell(self, document: str, element: str = "") -> None:
+        for overlay in overlays(document or ""):
+            design = overlay.object
+            here = self._hovered[:2] == place_of(design)
+            hovered = tile_in(self._hovered[2]) if here else -1
+            selected = selected_tiles(design)
+            overlay.mark_selected(selected, [hovered] if hovered >= 0 else [])
+            tile = tile_in(element)
+            if tile >= 0 and tile in selected:
+                _show_at_pointer(tile_name(tile), overlay.values_of(tile))
+
+    def onChange(self, group: Any, name: str) -> None:
+        # FreeCAD sets the schema after the preference.
+        QtCore.QTimer.singleShot(0, lambda: [overlay.explain() for overlay in overlays()])
+
+    def slotDeletedDocument(self, document: Any) -> None:
+        forget(document.Name)
+
+    def slotDeletedObject(self, obj: Any) -> None:
+        forget(obj.Document.Name, obj.Name)
+
+    def slotUndoDocument(self, document: Any) -> None:
+        for design in designs(document):
+            with suppress(KeyError):  # it never had one
+                overlay_of(design)
+
+    slotRedoDocument = slotUndoDocument

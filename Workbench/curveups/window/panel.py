@@ -14,7 +14,7 @@ import FreeCADGui
 from ..base.errors import CurveUpsError
 from ..project.worker import WORKER, Status
 from .notice import follow_link, show_in
-from .overlays import overlay_of
+from .overlays import overlay_of, place_of
 from .qt import QtCore, QtWidgets, load_ui, translate
 from .run import LIVE
 
@@ -37,7 +37,7 @@ def show(kind: Any, design: Any) -> Any:
     """Open the panel of class `kind` for a design in place of the open one; keep the open one if it is that
     panel. Raises CurveUpsError if a task panel of another workbench is open."""
     global _current
-    if current() is not None and type(_current) is kind and _current.place == _place(design):
+    if current() is not None and type(_current) is kind and _current.place == place_of(design):
         return _current
     if obstacle():
         raise CurveUpsError(obstacle())
@@ -46,10 +46,6 @@ def show(kind: Any, design: Any) -> Any:
     _current = kind(design)
     FreeCADGui.Control.showDialog(_current)
     return _current
-
-
-def _place(design: Any) -> tuple[str, str]:
-    return design.Document.Name, design.Name
 
 
 def enable(widget: Any, reason: str = "") -> None:
@@ -100,7 +96,7 @@ class Panel(ABC):
 
     def __init__(self, design: Any, ui: str):
         """ui: name of the file in resources/ui."""
-        self.design, self.place = design, _place(design)
+        self.design, self.place = design, place_of(design)
         self.form = load_ui(ui)
         if QtWidgets.QApplication.instance().styleSheet():  # dark themes give buttons wide margins
             self.form.setStyleSheet("QPushButton { padding-left: 3px; padding-right: 3px; }")
@@ -220,9 +216,10 @@ class Panel(ABC):
             fraction = min(max(status.fraction, 0.0), 1.0) if running else 0.0
             self.form.progress.setValue(int(100 * fraction))
             self.form.progress.setTextVisible(running and status.fraction >= 0)
+            self.form.progress.setVisible(running)
         if self._has("doing"):
             what = translate("CurveUpsSolve", "stopping") if status.stopping else status.what
-            self.form.doing.setText(f"{what}, {status.seconds:.0f} s" if running else "")
+            put(self.form.doing, f"{what}, {status.seconds:.0f} s" if running else "")
 
     def _changed(self) -> None:
         try:

@@ -17,7 +17,7 @@ except ImportError:
     QtWidgets = QtGui
 
 __all__ = ("QtCore", "QtGui", "QtWidgets", "QT_TRANSLATE_NOOP", "freecad_field",
-           "ink_and_paper", "load_ui", "translate")
+           "ink_and_paper", "load_ui", "scroll_past", "translate")
 
 RESOURCES = Path(__file__).parents[3] / "resources"
 
@@ -51,6 +51,29 @@ def ink_and_paper() -> tuple[Any, Any]:
     return ink, paper
 
 
+class _WheelFilter(QtCore.QObject):
+    """Leaves the wheel over a widget without focus to the panel around it."""
+
+    def eventFilter(self, widget: Any, event: Any) -> bool:
+        if event.type() != QtCore.QEvent.Wheel or widget.hasFocus():
+            return False
+        event.ignore()
+        return True
+
+
+@lru_cache(maxsize=None)
+def _wheel_filter() -> Any:
+    return _WheelFilter(FreeCADGui.getMainWindow())
+
+
+def scroll_past(widget: Any) -> Any:
+    """Let the wheel scroll the panel, and not edit a box, unless the user has clicked the box before."""
+    if isinstance(widget, (QtWidgets.QAbstractSpinBox, QtWidgets.QComboBox, QtWidgets.QSlider)):
+        widget.setFocusPolicy(QtCore.Qt.StrongFocus)
+        widget.installEventFilter(_wheel_filter())
+    return widget
+
+
 class _Loader(QtUiTools.QUiLoader):
     """Loader that makes widgets in Python. PySide may take widgets that C++ makes for deleted ones of other
     types that had their addresses."""
@@ -66,7 +89,7 @@ class _Loader(QtUiTools.QUiLoader):
             widget = freecad_field(kind)
             widget.setParent(parent)
         widget.setObjectName(name)
-        self.widgets[name] = widget
+        self.widgets[name] = scroll_past(widget)
         return widget
 
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 import time
 from functools import partial
 from html import escape
+from pathlib import Path
 from typing import Any, Callable
 
 import FreeCAD
@@ -16,35 +17,22 @@ from ..base.errors import CurveUpsError
 from ..base.findings import first_of_each_kind
 from ..features import properties
 from ..features.actions import transaction
-from ..features.live import stored, warnings_of
-from ..features.status import CURRENT, INVALID, OUT_OF_DATE
+from ..features.design import stored, warnings_of
+from ..features.status import CURRENT, EMPTY, INVALID, OUT_OF_DATE, RUNNING, status_of
 from ..project.project import HOLDS
 from ..project.size_choice import AUTOMATIC
 from ..project.worker import Status
 from ..stages import label_of
 from ..stages.settle import Range
-from . import preferences, runs
+from . import preferences, run
 from .binding import ParameterRows
-from .check import choose_sizes
+from .check import CheckPanel, choose_sizes
 from .notice import errors_shown, shown
 from .panel import Panel, fit_columns, show
 from .qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, translate
-from .run import LIVE
-from .runs import assign, call, named
+from .run import LIVE, assign, call, named
 from .units import short
 
-# Words that come in English from properties and from the parameter table.
-_TRANSLATED = (
-    QT_TRANSLATE_NOOP("CurveUpsSolve", "Target"), QT_TRANSLATE_NOOP("CurveUpsSolve", "Tiles"),
-    QT_TRANSLATE_NOOP("CurveUpsSolve", "Layout"), QT_TRANSLATE_NOOP("CurveUpsSolve", "Physics"),
-    QT_TRANSLATE_NOOP("CurveUpsSolve", "Repair"), QT_TRANSLATE_NOOP("CurveUpsSolve", "Bumps"),
-    QT_TRANSLATE_NOOP("CurveUpsSolve", "Support"), QT_TRANSLATE_NOOP("CurveUpsSolve", "Anchors"),
-    QT_TRANSLATE_NOOP("CurveUpsSolve", "Files"), QT_TRANSLATE_NOOP("CurveUpsSolve", "valid"),
-    QT_TRANSLATE_NOOP("CurveUpsSolve", "not valid"), QT_TRANSLATE_NOOP("CurveUpsSolve", "not judged"),
-    QT_TRANSLATE_NOOP("CurveUpsSolve", "holds"), QT_TRANSLATE_NOOP("CurveUpsSolve", "does not hold"),
-    QT_TRANSLATE_NOOP("CurveUpsSolve", "not settled"), QT_TRANSLATE_NOOP("CurveUpsSolve", "out of date"),
-    QT_TRANSLATE_NOOP("CurveUpsSolve", "empty"), QT_TRANSLATE_NOOP("CurveUpsSolve", "invalid"),
-    QT_TRANSLATE_NOOP("CurveUpsSolve", "running"))
 _MATERIALS = {
     "material_membrane": QT_TRANSLATE_NOOP("CurveUpsSolve", "Membrane"),
     "material_glue": QT_TRANSLATE_NOOP("CurveUpsSolve", "Glue"),
@@ -68,13 +56,17 @@ class SolvePanel(Panel):
         self._began: dict[str, float] = {}  # by stage
         self._stage, self._line = "", None  # type: str, Any
         form = self.form
+        form.target.setText(_target(design))
+        self.on_clicks(check=lambda: show(CheckPanel, design))
+        self.reasons["check"] = partial(run.reason, "check", design)
         for which in ("solve", "verify", "repair"):
             self.on_clicks(**{which: partial(self.run, which)})
-            self.reasons[which] = partial(runs.reason, which, design)
+            self.reasons[which] = partial(run.reason, which, design)
         self.reasons["parameters"] = lambda: LIVE.obstacle() if LIVE.runs_on(design) else ""
         form.live.setChecked(preferences.draws_live())
         form.live.toggled.connect(lambda on: preferences.group().SetBool("DrawLive", bool(on)))
         fit_columns(form.stages, 0)
+        form.stages.hide()
         form.stages.setFixedHeight(8 * form.stages.fontMetrics().height())
         fit_columns(form.window, 0)
         # The tiles that fail first beyond the end that is clicked.
@@ -89,13 +81,14 @@ class SolvePanel(Panel):
         self._rows.close()
 
     def run(self, which: str) -> None:
-        """Start a run: "solve", "verify", "repair", "build_solids"."""
+        """Start a run: "solve", "tile_anew", "verify", "repair", "build_solids"."""
         self._rows.flush()
         self.say("")
         self.form.stages.clear()
+        self.form.stages.hide()
         self._began, self._line = {}, None
         with errors_shown(which):
-            runs.start(which, self.design)
+            run.start(which, self.design)
 
     def turn_to(self, name: str) -> None:
         """Show a group of parameters, if there is one of that name."""
@@ -183,18 +176,25 @@ class SolvePanel(Panel):
 
     def show(self) -> None:
         state = self.design.Status
-        head = ", ".join(translate("CurveUpsSolve", word) for word in (
-            self.design.Verdict if state == "current" else state, self.design.Holds))
-        status = self.design.Proxy.state(self.design)
+        words = {EMPTY: (), RUNNING: (RUNNING,), CURRENT: (self.design.Verdict, self.design.Holds)}.get(
+            state, (state, self.design.Holds))
+        head = ", ".join(translate("CurveUpsSolve", word) for word in words)
+        status = status_of(self.design)
         lines = list(map(shown, status.reasons[:_MOST]))
         if status.state in (CURRENT, INVALID) and status.parts["Layout"][0] == CURRENT:
-            lines += self._warnings()
+            lines += [*self._tiling(), *self._warnings()]
         if getattr(self.design, "Kit", "").startswith(OUT_OF_DATE):
             lines.append(translate("CurveUpsSolve", "The fabrication kit is out of date"))
-        self.form.verdict.setText(f"<b>{escape(self.design.Label)}: {escape(head)}</b>"
+        title = ": ".join(filter(None, (self.design.Label, head)))
+        self.form.verdict.setText(f"<b>{escape(title)}</b>"
                                   + "".join(f"<br>{line}" for line in lines))
         self._show_window()
         self._rows.show()
+
+    def _tiling(self) -> list[str]:
+        """How tiles came that follow earlier ones; others are warned of."""
+        tiles = stored(self.design).latest("target") if self.design.Tiling else None
+        return [shown(tiles.tiling)] if tiles and tiles.followed_along else []
 
     def _warnings(self) -> list[str]:
         """The first warning of each kind."""
@@ -202,7 +202,7 @@ class SolvePanel(Panel):
             warnings = first_of_each_kind(warnings_of(self.design))
         except CurveUpsError:  # the results are damaged, as Status says
             return []
-        more = translate("CurveUpsSolve", " (and {count} more of this kind)")
+        more = translate("CurveUpsSolve", " ({count} more)")
         return [translate("CurveUpsSolve", "Warning: {what}", what=shown(finding))
                 + (more.format(count=others) if others else "") for finding, others in warnings[:_MOST]]
 
@@ -231,6 +231,7 @@ class SolvePanel(Panel):
     def run_changed(self, status: Status, running: bool) -> None:
         """Show a line for each stage that has begun, with its seconds."""
         tree, now, stage = self.form.stages, time.perf_counter(), status.stage if running else ""
+        self.form.at_work.setVisible(running)
         if self._line is not None and stage != self._stage:
             _mark(self._line, _DONE, self._line.text(0)[2:])
             self._line.setText(1, f"{now - self._began[self._stage]:.1f} s")
@@ -239,10 +240,20 @@ class SolvePanel(Panel):
             self._began[stage], self._line = now, QtWidgets.QTreeWidgetItem(tree)
             _mark(self._line, _RUNNING, translate("CurveUpsSolve", label_of(stage)))
             self._line.setTextAlignment(1, QtCore.Qt.AlignRight)
+            tree.show()
             tree.scrollToItem(self._line)
         if self._line is not None:
             self._line.setText(1, f"{now - self._began[stage]:.0f} s")
         self._stage = stage
+
+
+def _target(design: Any) -> str:
+    """Name of the target, with the faces that are chosen."""
+    target = design.Target
+    source = getattr(target, "Source", None)
+    name = source.Label if source is not None else (
+        getattr(target, "BuiltIn", "") or Path(getattr(target, "File", "")).name)
+    return translate("CurveUpsSolve", "Target: {name}", name=" ".join(filter(None, (name, design.Faces))))
 
 
 def let_it_need_little_friction(design: Any) -> None:

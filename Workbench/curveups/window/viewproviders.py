@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import lru_cache, partial
 from typing import Any
 
@@ -14,21 +15,16 @@ from ..features import status
 from ..features.proxy import SLOTS, design_of, type_of
 from . import commands, overlays
 from .notice import errors_shown
-from .overlay import watching
 from .overlay.overlay import Overlay
 from .panel import show
 from .solve import SolvePanel
 from .qt import RESOURCES, QtCore, QtGui
 from .run import LIVE
 
-_SIZE = 64
-# Drawn in a square of 1: polylines, closed and filled on a disc of the colour.
-_BADGES = {
-    status.OUT_OF_DATE: ("#e08a00", (((0.5, 0.22), (0.5, 0.52)), ((0.5, 0.52), (0.72, 0.64)))),  # a clock
-    status.INVALID: ("#c62828", (((0.3, 0.3), (0.7, 0.7)), ((0.3, 0.7), (0.7, 0.3)))),  # a cross
-    status.RUNNING: ("#1565c0", (((0.38, 0.26), (0.74, 0.5), (0.38, 0.74), (0.38, 0.26)),)),  # play
-    status.EMPTY: ("#757575", (((0.28, 0.5), (0.72, 0.5)),)),  # a dash
-}
+_SIZE = 64  # px
+# Colour and sign of a badge by state.
+_BADGES = {status.OUT_OF_DATE: ("#e08a00", "!"), status.INVALID: ("#c62828", "×"),
+           status.RUNNING: ("#1565c0", "▸"), status.EMPTY: ("#757575", "–")}
 
 
 @lru_cache(maxsize=None)
@@ -43,17 +39,17 @@ def _icon(name: str, state: str) -> Any:
     return QtGui.QIcon(pixmap)
 
 
-def _draw(painter: Any, colour: str, lines: Any) -> None:
-    size = 0.56 * _SIZE
-    painter.translate(_SIZE - size, _SIZE - size)
+def _draw(painter: Any, colour: str, sign: str) -> None:
+    """Draw a badge, a sign on a disc, in the lower right corner."""
+    place = QtCore.QRectF(0.45 * _SIZE, 0.45 * _SIZE, 0.52 * _SIZE, 0.52 * _SIZE)
     painter.setPen(QtGui.QPen(QtGui.QColor("white"), 3))
     painter.setBrush(QtGui.QColor(colour))
-    painter.drawEllipse(QtCore.QRectF(2, 2, size - 4, size - 4))
-    pen = QtGui.QPen(QtGui.QColor("white"), 5)
-    pen.setCapStyle(QtCore.Qt.RoundCap)
-    painter.setPen(pen)
-    for line in lines:
-        painter.drawPolyline(QtGui.QPolygonF([QtCore.QPointF(x * size, y * size) for x, y in line]))
+    painter.drawEllipse(place)
+    font = painter.font()
+    font.setPixelSize(int(0.5 * _SIZE))
+    font.setBold(True)
+    painter.setFont(font)
+    painter.drawText(place, QtCore.Qt.AlignCenter, sign)
 
 
 def _known(command: str) -> bool:
@@ -73,13 +69,36 @@ def _run_on(obj: Any, command: str, *_: Any) -> bool:
     return True
 
 
+@dataclass(frozen=True)
+class Look:
+    """icon: in resources/icons. menu: commands. group: of the parameters that a double click shows."""
+
+    icon: str
+    menu: tuple[str, ...]
+    group: str = ""
+
+
+_BUILT = ("CurveUps_BuildSolids", "CurveUps_ShowSolids", "CurveUps_Export")
+_LOOKS = {  # by type of object and kind of body
+    ("CurveUps::Design", ""): Look("CurveUpsWorkbench", (
+        "CurveUps_Solve", "CurveUps_Verify", "CurveUps_Repair", "CurveUps_Actuate", "CurveUps_BuildSolids",
+        "CurveUps_ShowFlat", "CurveUps_ShowActuated", "CurveUps_ShowSolids", "CurveUps_Export",
+        "CurveUps_Report")),
+    ("CurveUps::Target", ""): Look("CurveUps_Target", (
+        "CurveUps_Target", "CurveUps_Check", "CurveUps_Cuts", "CurveUps_Solve"), "Target"),
+    ("CurveUps::Cuts", ""): Look("CurveUps_Cuts", ("CurveUps_Cuts",)),
+    ("CurveUps::Layout", ""): Look("CurveUps_ShowFlat", (
+        "CurveUps_Solve", "CurveUps_Repair", "CurveUps_ShowFlat", "CurveUps_ShowActuated"), "Layout"),
+    ("CurveUps::Verification", ""): Look("CurveUps_Verify", (
+        "CurveUps_Verify", "CurveUps_Repair", "CurveUps_WorstContacts", "CurveUps_Overlay"), "Physics"),
+    ("CurveUps::Bodies", "tiles"): Look("CurveUps_Tiles", _BUILT, "Tiles"),
+    ("CurveUps::Bodies", "support"): Look("CurveUps_Support", _BUILT, "Support"),
+    ("CurveUps::Bodies", "anchors"): Look("CurveUps_Anchors", _BUILT, "Anchors")}
+
+
 class View:
     """Icon with a badge of the object's state, context menu and double click. FreeCAD stores the class, and
     attaches it on opening."""
-
-    ICON = "CurveUpsWorkbench"
-    MENU: tuple[str, ...] = ()  # commands
-    GROUP = ""  # of the parameters that the panel shows after a double click
 
     def __init__(self, view: Any):
         self.object = view.Object
@@ -90,11 +109,11 @@ class View:
         design = design_of(self.object)
         if design is not None:
             with errors_shown(""):
-                show(SolvePanel, design).turn_to(self.GROUP)
+                show(SolvePanel, design).turn_to(self._look().group)
         return design is not None
 
     def setupContextMenu(self, view: Any, menu: Any) -> None:
-        for name in filter(_known, self.MENU):
+        for name in filter(_known, self._look().menu):
             command = FreeCADGui.Command.get(name)
             action = menu.addAction(command.getInfo()["menuText"].replace("&", ""))
             action.setEnabled(command.isActive())
@@ -103,12 +122,16 @@ class View:
     def attach(self, view: Any) -> None:
         self.object = view.Object
 
+    def _look(self) -> Look:
+        kind = getattr(self.object, "CurveUpsType", ""), getattr(self.object, "Kind", "")
+        return _LOOKS.get(kind, _LOOKS["CurveUps::Design", ""])  # while FreeCAD restores the object
+
     def updateData(self, obj: Any, name: str) -> None:
         if name == "Status":
             obj.ViewObject.signalChangeIcon()
 
     def getIcon(self) -> Any:
-        return _icon(self.ICON, getattr(self.object, "Status", ""))
+        return _icon(self._look().icon, getattr(self.object, "Status", ""))
 
     def dumps(self) -> Any:
         return None
@@ -120,22 +143,8 @@ class View:
     __setstate__ = loads
 
 
-_BUILT = ("CurveUps_BuildSolids", "CurveUps_ShowSolids", "CurveUps_Export")
-# Icon, menu and group of parameters by kind of body; a target has none.
-_SHAPES: dict[str, tuple[str, tuple[str, ...], str]] = {
-    "": ("CurveUps_Target", ("CurveUps_Target", "CurveUps_Check", "CurveUps_Cuts", "CurveUps_Solve"),
-         "Target"),
-    "tiles": ("CurveUps_Tiles", _BUILT, "Tiles"),
-    "support": ("CurveUps_Support", _BUILT, "Support"),
-    "anchors": ("CurveUps_Anchors", _BUILT, "Anchors")}
-
-
 class ShapeView(View):
     """View of Target, Tiles, Support and Anchors, which FreeCAD draws by itself."""
-
-    def attach(self, view: Any) -> None:
-        super().attach(view)
-        self.ICON, self.MENU, self.GROUP = _SHAPES[getattr(view.Object, "Kind", "")]
 
 
 class PartView(View):
@@ -160,27 +169,8 @@ class PartView(View):
 class CutsView(PartView):
     """View of Cuts; a double click opens their own panel."""
 
-    ICON = "CurveUps_Cuts"
-    MENU = ("CurveUps_Cuts",)
-
     def doubleClicked(self, view: Any) -> bool:
         return _run_on(self.object, "CurveUps_Cuts")
-
-
-class LayoutView(PartView):
-    """View of a Layout."""
-
-    ICON = "CurveUps_ShowFlat"
-    MENU = ("CurveUps_Solve", "CurveUps_Repair", "CurveUps_ShowFlat", "CurveUps_ShowActuated")
-    GROUP = "Layout"
-
-
-class VerificationView(PartView):
-    """View of a Verification."""
-
-    ICON = "CurveUps_Verify"
-    MENU = ("CurveUps_Verify", "CurveUps_Repair", "CurveUps_WorstContacts", "CurveUps_Overlay")
-    GROUP = "Physics"
 
 
 class DesignView(PartView):
@@ -188,14 +178,10 @@ class DesignView(PartView):
     on."""
 
     MODE = "Tiles"
-    MENU = ("CurveUps_Solve", "CurveUps_Verify", "CurveUps_Repair", "CurveUps_Actuate",
-            "CurveUps_BuildSolids", "CurveUps_ShowFlat", "CurveUps_ShowActuated", "CurveUps_ShowSolids",
-            "CurveUps_Export", "CurveUps_Report")
-
     overlay: Any = None
 
     def node(self, view: Any) -> Any:
-        watching.start()
+        overlays.start()
         self.overlay = Overlay(view)
         overlays.add(view.Object, self.overlay)
         self.overlay.refresh()
@@ -239,8 +225,8 @@ class DesignView(PartView):
         return True
 
 
-_KINDS = {"CurveUps::Design": DesignView, "CurveUps::Cuts": CutsView, "CurveUps::Layout": LayoutView,
-          "CurveUps::Verification": VerificationView, "CurveUps::Target": ShapeView,
+_KINDS = {"CurveUps::Design": DesignView, "CurveUps::Cuts": CutsView, "CurveUps::Layout": PartView,
+          "CurveUps::Verification": PartView, "CurveUps::Target": ShapeView,
           "CurveUps::Bodies": ShapeView}
 
 

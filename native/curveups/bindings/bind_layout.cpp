@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The coarse optimisation, its figures, and cuts that relieve it.
+#include <cmath>
+#include <tuple>
+
 #include "curveups/bindings/arrays.hpp"
 #include "curveups/layout/cut_suggestions.hpp"
 #include "curveups/layout/diagnostics.hpp"
@@ -8,10 +11,33 @@
 namespace curveups::bindings {
 namespace {
 
+using EarlierIn = std::tuple<NumbersIn, NumbersIn, std::vector<int>>;  // T, q, a row of them a tile
+
+std::optional<EarlierLayout> read_earlier(const std::optional<EarlierIn>& given,
+                                          Eigen::Index tile_count) {
+  if (!given) return std::nullopt;
+  const auto& [T, q, from] = *given;
+  const Array6 corners = read_blocks(T, "T", 3, 2), insets = read_blocks(q, "q", 2, 3);
+  if (static_cast<Eigen::Index>(from.size()) != tile_count || corners.rows() != insets.rows()) {
+    throw InvalidInput("earlier does not fit the tiles", "give a row for each tile");
+  }
+  EarlierLayout earlier{FlatCorners::Constant(tile_count, 6, std::nan("")),
+                        Array6::Constant(tile_count, 6, std::nan(""))};
+  for (Eigen::Index i = 0; i < tile_count; ++i) {
+    if (from[i] < 0) continue;
+    require_tiles(std::vector<int>{from[i]}, corners.rows(), "earlier");
+    earlier.T.row(i) = corners.row(from[i]);
+    earlier.q.row(i) = insets.row(from[i]);
+  }
+  return earlier;
+}
+
 LayoutResult lay_out(const NumbersIn& V, const IndicesIn& F, const IndicesIn& cuts,
                      const Parameters& parameters, const Progress& progress,
-                     const std::optional<Listener>& on_iterate) {
+                     const std::optional<Listener>& on_iterate,
+                     const std::optional<EarlierIn>& earlier) {
   const CutMesh target = read_cut_mesh(V, F, cuts);
+  const std::optional<EarlierLayout> start = read_earlier(earlier, target.mesh.F.rows());
   const ProgressScope scope(progress);
   const DesignGeometry geometry = make_geometry(target.mesh, target.cuts, parameters);
   LayoutCallback callback;
@@ -21,7 +47,8 @@ LayoutResult lay_out(const NumbersIn& V, const IndicesIn& F, const IndicesIn& cu
       return listener(flat_corners(geometry.tiles, poses), q, energy, violation);
     };
   }
-  return solve_layout(geometry, parameters, scope.sink(), LayoutEffort::full, callback);
+  return solve_layout(geometry, parameters, scope.sink(), LayoutEffort::full, callback,
+                      start ? &*start : nullptr);
 }
 
 }  // namespace
@@ -49,10 +76,12 @@ void bind_layout(py::module_& module) {
           "M x 2 x 3, mm.");
   module.def(
       "solve_layout", &lay_out, py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
-      py::arg("progress") = py::none(), py::arg("on_iterate") = py::none(), Released(),
+      py::arg("progress") = py::none(), py::arg("on_iterate") = py::none(),
+      py::arg("earlier") = py::none(), Released(),
       "Flat poses and pins for a target mesh (Eq. 9 under hard constraints). "
       "on_iterate(T, q, energy, violation) gets every iterate, the hard constraints' largest "
-      "violation in mm with it, and stops the work by returning False.");
+      "violation in mm with it, and stops the work by returning False. earlier: T and q to start "
+      "from, and for each tile its row of them, -1 for new tiles.");
 
   FiguresClass<LayoutFigures>(module, "LayoutFigures", "How far a layout is stretched.")
       .figure("scale_spread", &LayoutFigures::scale_spread)

@@ -9,6 +9,7 @@
 #include "curveups/geometry/cut_mesh.hpp"
 #include "curveups/geometry/divide_surface.hpp"
 #include "curveups/geometry/edge_paths.hpp"
+#include "curveups/geometry/follow_mesh.hpp"
 #include "curveups/geometry/mend_mesh.hpp"
 #include "curveups/geometry/mesh_checks.hpp"
 #include "curveups/geometry/polygon_triangulation.hpp"
@@ -216,6 +217,35 @@ void bind_meshes(py::module_& module) {
       "Uniform isotropic triangulation of mean edge length L mm; creases above crease_angle "
       "(degrees) and features (vertex pairs) stay edges; corners of the boundary are found by its "
       "course within corner_reach mm.");
+
+  bind_mesh<FollowedMesh>(module, "FollowedMesh", "A tiling on a changed surface.")
+      .def_readonly("obstacle", &FollowedMesh::obstacle)
+      .def_property_readonly("tile_from",
+                             [](const FollowedMesh& f) { return py::array(py::cast(f.tile_from)); })
+      .def_property_readonly(
+          "vertex_from", [](const FollowedMesh& f) { return py::array(py::cast(f.vertex_from)); })
+      .def_readonly("mean_edge", &FollowedMesh::mean_edge)
+      .def_readonly("edge_cv", &FollowedMesh::edge_cv)
+      .def_readonly("chord_error", &FollowedMesh::chord_error);
+  module.def(
+      "follow_mesh",
+      [](const NumbersIn& tiles_V, const IndicesIn& tiles_F, const NumbersIn& V, const IndicesIn& F,
+         double L, double crease_angle, const std::optional<IndicesIn>& features,
+         const Progress& progress) {
+        constexpr double degree = 3.14159265358979323846 / 180;
+        const TriangleMesh tiles = read_mesh(tiles_V, tiles_F, "tiles_V", "tiles_F");
+        const TriangleMesh surface = read_mesh(V, F);
+        FollowOptions options{L, crease_angle * degree};
+        if (features) options.features = read_edges(*features, surface.V.rows(), "features");
+        const ProgressScope scope(progress);
+        return follow_mesh(tiles, surface, options);
+      },
+      py::arg("tiles_V"), py::arg("tiles_F"), py::arg("V"), py::arg("F"), py::arg("L"),
+      py::arg("crease_angle") = 180.0, py::arg("features") = py::none(),
+      py::arg("progress") = py::none(), Released(),
+      "Carries tiles along to a changed surface. features: its creases, vertex pairs; None: edges "
+      "that bend by more than crease_angle (degrees). obstacle: why it needs new tiles, or empty; "
+      "tile_from: per tile the old tile of the same vertices, or -1; vertex_from likewise.");
 
   py::class_<SurfaceDivision>(module, "SurfaceDivision", "A surface in pieces that can lie flat.")
       .def_property_readonly("piece",

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The print model: figures, solids and files.
+// The print model: figures, bodies and files.
 #include "curveups/actuation/flat_piece.hpp"
 #include "curveups/bindings/arrays.hpp"
 #include "curveups/bindings/bindings.hpp"
+#include "curveups/bodies/body_checks.hpp"
 #include "curveups/bodies/clearance.hpp"
+#include "curveups/core/parallel.hpp"
 #include "curveups/design/print_constants.hpp"
 #include "curveups/fabrication/body_mesh.hpp"
+#include "curveups/fabrication/brep_text.hpp"
 #include "curveups/fabrication/print_files.hpp"
-#include "curveups/fabrication/print_solids.hpp"
 #include "curveups/fabrication/ring.hpp"
 #include "curveups/fabrication/supports.hpp"
 
@@ -17,7 +19,7 @@ namespace {
 
 constexpr const char* printed_kinds[] = {"tiles", "support", "anchors"};
 
-// Deletion of thousands of solids takes a while; other threads run meanwhile.
+// Deletion of thousands of bodies takes a while; other threads run meanwhile.
 struct DeletedWithoutGil {
   void operator()(PrintModel* model) const {
     const py::gil_scoped_release release;
@@ -55,6 +57,41 @@ void bind_print_model(py::module_& module) {
       .figure("pins", &GluedAreas::pins)
       .figure("anchors", &GluedAreas::anchors)
       .figure("support", &GluedAreas::support);
+  py::class_<PrintBody>(module, "PrintBody", "One body of a print.")
+      .def_readonly("name", &PrintBody::name)
+      .def_readonly("tile", &PrintBody::tile, "Row of F; -1: support or anchor.")
+      .def_readonly("piece", &PrintBody::piece, "The piece, or the part, that it belongs to.")
+      .def_property_readonly(
+          "faces", [](const PrintBody& b) { return b.faces.size(); }, "Number of planar faces.")
+      .def_property_readonly(
+          "volume", [](const PrintBody& b) { return volume(b); }, "mm3, exact.");
+  using Bodies = std::vector<const PrintBody*>;
+  module.def(
+      "check_bodies",
+      [](const Bodies& bodies, const Progress& progress) {
+        const ProgressScope scope(progress);
+        checkpoint("checking solids", 0);
+        std::vector<std::string> reasons(bodies.size());
+        parallel_each(static_cast<int>(bodies.size()),
+                      [&](int i) { reasons[i] = unsoundness(*bodies[i]); });
+        return reasons;
+      },
+      py::arg("bodies"), py::arg("progress") = py::none(), Released(),
+      "Why the boundary of each body is unsound; empty for a sound one.");
+  module.def(
+      "brep_texts",
+      [](const Bodies& bodies) {
+        std::vector<std::string> texts = brep_texts(bodies);
+        const py::gil_scoped_acquire acquire;
+        py::list out;
+        for (std::string& text : texts) {
+          out.append(py::bytes(text));
+          std::string().swap(text);
+        }
+        return out;
+      },
+      py::arg("bodies"), Released(),
+      "The solid of each body, as Part.Shape.importBrep reads it from a file.");
   py::class_<PrintModel, HeldModel>(
       module, "PrintModel",
       "All that is printed. Kinds: tiles, support, anchors, print (all) and actuated (the tiles in "
@@ -127,36 +164,8 @@ void bind_print_model(py::module_& module) {
       .def(
           "min_clearance_flat", [](const PrintModel& m) { return min_clearance_flat(m).value; },
           Released())
-      .def(
-          "build_solids",
-          [](const PrintModel& m, const Progress& progress) {
-            const ProgressScope scope(progress);
-            solids_of(m, "print");
-          },
-          py::arg("progress") = py::none(), Released(),
-          "Builds all solids of the print; they are kept. Other calls do so when they need them.")
-      .def(
-          "judge_solids",
-          [](const PrintModel& m, const Progress& progress) {
-            const ProgressScope scope(progress);
-            const auto unsound = check_solids(m);
-            std::vector<std::pair<std::string, std::string>> named;
-            for (const UnsoundSolid& solid : unsound) named.emplace_back(solid.body, solid.reason);
-            return std::make_pair(named, solid_reasons(unsound));
-          },
-          py::arg("progress") = py::none(), Released(),
-          "The bodies whose solid is not valid, not closed or not of its exact volume, with why; "
-          "and the reasons for which these make the design not valid.")
-      .def(
-          "shape",
-          [](const PrintModel& m, const std::string& kind) {
-            const auto solids = [&] {
-              const py::gil_scoped_release release;
-              return solids_of(m, kind);
-            }();
-            return to_part_shape(*solids);
-          },
-          py::arg("kind"), "A compound of the kind's solids as a Part.Shape.")
+      .def("bodies", &PrintModel::bodies, py::arg("kind"),
+           py::return_value_policy::reference_internal, "The bodies of a kind.")
       .def(
           "mesh",
           [](const PrintModel& m, const std::string& kind) {
@@ -187,14 +196,6 @@ void bind_print_model(py::module_& module) {
           py::arg("places"),
           "These pieces, or parts, alone; each with its move (x, y, mm) after its turn (degrees) "
           "about the origin.")
-      .def(
-          "piece_of_bodies",
-          [](const PrintModel& m, const std::string& kind) {
-            std::vector<int> out;
-            for (const PrintBody* body : m.bodies(kind)) out.push_back(body->piece);
-            return out;
-          },
-          py::arg("kind"), "The piece, or the part, that each body of a kind belongs to.")
       .def_readonly("outlines", &PrintModel::outlines,
                     "Polygons of each slab: its outline, then its holes.")
       .def(

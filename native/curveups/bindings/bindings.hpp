@@ -24,8 +24,6 @@
 #include "curveups/core/errors.hpp"
 #include "curveups/core/types.hpp"
 
-class TopoDS_Shape;  // from OpenCASCADE
-
 namespace curveups {
 enum class Side;
 struct SolvedDesign;
@@ -82,10 +80,6 @@ class FiguresClass : public py::class_<T, Holder...> {
   py::list names_;
 };
 
-// FreeCAD's Part.Shape of a shape: without a copy on Linux, where FreeCAD's Part module exports its
-// own conversion (0.20 and 1.0 do), else through a file, which takes seconds for 600 tiles. Raises
-// ImportError without FreeCAD.
-py::object to_part_shape(const TopoDS_Shape& shape);
 // "front" or "back".
 const char* side_name(Side side);
 // Rows as blocks of this shape.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Closed bodies of a print: planar faces with holes, spherical caps (bumps and dimples) and
-// cylinder walls. No OpenCASCADE here.
+// cylinder walls.
 #pragma once
 
 #include <string>

@@ -71,8 +71,9 @@ void ContactWorld::descend(const Drag& drag, double unit, bool stuck, Poses& x,
                            StepReport& report) {
   const Pace& pace = options_.pace;
   const double lever = options_.lever;
-  const double goal =
-      std::max({pace.share_left * report.residual * unit, pace.tolerance * unit, rounding_});
+  // Drift is measured from where bodies stick: those places are exact.
+  const double share = stuck ? 0 : pace.share_left;
+  const double goal = std::max({share * report.residual * unit, pace.tolerance * unit, rounding_});
   // Caps that have risen tighten springs by more than the step has been given.
   auto stores_more = [&] {
     const double blur = 1e-12 * (std::abs(report.before) + unit * lever);

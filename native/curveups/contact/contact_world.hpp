@@ -40,8 +40,8 @@ struct Pace {
     pace.together = 2;
     pace.lone_drag = 1;
     pace.iterations = pace.most_iterations = 30;
-    pace.share_left = 0;
-    pace.tolerance = 1e-7;
+    pace.share_left = 0.05;
+    pace.tolerance = 1e-4;
     pace.projected = false;
     pace.sticks_first = true;
     return pace;

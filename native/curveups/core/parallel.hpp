@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Loops on oneTBB's threads, which OpenCASCADE shares. Results never depend on the number of
+// Loops on oneTBB's threads. Results never depend on the number of
 // threads: each index writes its own data, and sums are taken in the order of the indices. Loops
 // may be nested.
 #pragma once

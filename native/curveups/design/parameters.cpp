@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <locale>
+#include <sstream>
 
 #include "curveups/core/errors.hpp"
 #include "curveups/design/print_constants.hpp"
@@ -23,10 +25,15 @@ struct Kind {
   InvalidInput (*error)(const std::string& text);
 };
 
-template <class Number>
-bool read(std::string_view text, Number& value) {
+bool read(std::string_view text, int& value) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   return error == std::errc() && end == text.data() + text.size();
+}
+
+bool read(std::string_view text, double& value) {
+  std::istringstream stream{std::string(text)};
+  stream.imbue(std::locale::classic());
+  return stream >> std::noskipws >> value && stream.peek() == EOF;
 }
 
 // Words between blanks and commas.

@@ -49,6 +49,7 @@ struct Parameters {
   // Files
   std::string printer = "polyjet";
   double mesh_deviation = 0.02;
+  bool check_all = false;
   // Physics
   double shear_modulus_front = 0.72;
   double shear_modulus_back = 0.72;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/fabrication/print_files.hpp"
 
+#include <fmt/compile.h>
+
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -60,19 +63,48 @@ std::vector<BodyMesh> meshes_of(const PrintModel& model, const std::string& kind
 
 }  // namespace
 
-void write_bytes(const std::string& path, const std::string& bytes) {
-  std::ofstream file(path, std::ios::binary);
-  const bool opened = file.is_open();
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  if (file) return;
-  const int reason = errno;
+OutputFile::OutputFile(const std::string& path)
+    : path_(path), file_(path, std::ios::binary), opened_(file_.is_open()) {
+  note_failure();
+}
+
+OutputFile::~OutputFile() {
   std::error_code ignored;
-  if (opened && std::filesystem::is_regular_file(path, ignored)) {
-    std::filesystem::remove(path, ignored);
-  }
-  throw IoError("can't write " + path + ": " + std::strerror(reason),
+  if (complete_ || !opened_ || !std::filesystem::is_regular_file(path_, ignored)) return;
+  std::filesystem::remove(path_, ignored);
+}
+
+void OutputFile::write(const std::string& bytes) {
+  file_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  note_failure();
+}
+
+void OutputFile::close() {
+  if (opened_) file_.close();
+  note_failure();
+  complete_ = failure_ == 0;
+  if (complete_) return;
+  throw IoError("can't write " + path_ + ": " + std::strerror(failure_),
                 "check that the folder exists, is writable and that the disk has room");
+}
+
+void OutputFile::note_failure() {
+  if (!file_ && failure_ == 0) failure_ = errno;
+}
+
+void write_bytes(const std::string& path, const std::string& bytes) {
+  OutputFile file(path);
+  file.write(bytes);
+  file.close();
+}
+
+void append_real(std::string& text, double value) {
+  if (!std::isfinite(value)) {
+    throw SolverFailure("a coordinate of a solid is not finite",
+                        "report this with the design file");
+  }
+  char digits[40];
+  text.append(digits, fmt::format_to(digits, FMT_COMPILE("{}"), value));
 }
 
 void write_step(const PrintModel& model, const std::string& kind, const std::string& path) {

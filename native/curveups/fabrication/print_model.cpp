@@ -227,11 +227,6 @@ class Builder {
   std::vector<PieceFootprint> footprints_;
 };
 
-PrintModel without_solids(PrintModel model) {
-  model.solids = std::make_shared<KeptSolids>();
-  return model;
-}
-
 }  // namespace
 
 std::string numbered(const char* format, int a, int b) {
@@ -279,7 +274,7 @@ PrintModel only_pieces(const PrintModel& model, const std::map<int, RigidMotion>
       throw InvalidInput("a place beyond 10 m", "give places in mm");
     }
   }
-  PrintModel out = without_solids(model);
+  PrintModel out = model;
   out.box = {};
   for (auto* bodies : {&out.tiles, &out.supports, &out.anchors}) {
     bodies->erase(std::remove_if(bodies->begin(), bodies->end(),
@@ -296,7 +291,7 @@ PrintModel only_pieces(const PrintModel& model, const std::map<int, RigidMotion>
 }
 
 PrintModel only_tiles(const PrintModel& model, const std::vector<int>& rows) {
-  PrintModel out = without_solids(model);
+  PrintModel out = model;
   out.supports.clear();
   out.anchors.clear();
   out.loose_anchors = 0;
@@ -310,7 +305,7 @@ PrintModel only_tiles(const PrintModel& model, const std::vector<int>& rows) {
 }
 
 PrintModel move_actuated(const PrintModel& model, const std::vector<RigidMotion>& motions) {
-  PrintModel out = without_solids(model);
+  PrintModel out = model;
   for (std::size_t i = 0; i < motions.size(); ++i) move(out.actuated[i], motions[i]);
   return out;
 }

@@ -6,8 +6,6 @@
 #pragma once
 
 #include <map>
-#include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
@@ -16,15 +14,7 @@
 #include "curveups/bodies/tile_print.hpp"
 #include "curveups/geometry/convex_polygon.hpp"
 
-class TopoDS_Shape;
-
 namespace curveups {
-
-// Solids by kind, built when first needed (print_solids.hpp).
-struct KeptSolids {
-  std::recursive_mutex building;
-  std::map<std::string, std::shared_ptr<const TopoDS_Shape>> by_kind;
-};
 
 // Narrowest place of a body, mm.
 struct ThinFeature {
@@ -60,7 +50,6 @@ struct PrintModel : TileBodies {
   std::vector<double> overhang;   // per tile: level reach beyond the pin that it stands on, mm
   std::vector<ThinFeature> thin;  // per body with sizes of its own
   Box box;
-  std::shared_ptr<KeptSolids> solids = std::make_shared<KeptSolids>();
 
   // Bodies of a kind: "tiles", "support", "anchors", "print" (these three) or "actuated". Throws
   // InvalidInput for any other.

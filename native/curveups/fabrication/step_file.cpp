@@ -126,7 +126,7 @@ class Products {
 
 void write_step(const std::vector<const PrintBody*>& bodies, const std::string& title,
                 const std::string& path) {
-  StepText step(title);
+  StepText step(title, path);
   Products products(step, title);
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     if (k % bodies_at_once == 0) {
@@ -136,7 +136,7 @@ void write_step(const std::vector<const PrintBody*>& bodies, const std::string& 
   }
   checkpoint("writing STEP", 1);
   products.finish();
-  write_bytes(path, step.finish());
+  step.finish();
 }
 
 }  // namespace curveups

@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <cstdio>
 
-#include "curveups/core/errors.hpp"
+#include "curveups/fabrication/file_formats.hpp"
 
 namespace curveups {
 namespace {
@@ -44,29 +43,31 @@ std::string step_string(const std::string& utf8) {
   return out + "'";
 }
 
-StepText::StepText(const std::string& title) {
+StepText::StepText(const std::string& title, const std::string& path) : file_(path) {
   text_ = "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION(('CurveUps'),'2;1');\nFILE_NAME(" +
           step_string(title) +
           ",'1970-01-01T00:00:00',(''),(''),'CurveUps','CurveUps','');\n"
           "FILE_SCHEMA(('AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }'));\nENDSEC;\nDATA;\n";
 }
 
-const std::string& StepText::finish() { return text_ += "ENDSEC;\nEND-ISO-10303-21;\n"; }
+void StepText::finish() {
+  text_ += "ENDSEC;\nEND-ISO-10303-21;\n";
+  flush();
+  file_.close();
+}
+
+void StepText::flush() {
+  file_.write(text_);
+  text_.clear();
+}
 
 void StepText::append(double value) {
-  if (!std::isfinite(value)) {
-    throw SolverFailure("a coordinate of a solid is not finite",
-                        "report this with the design file");
-  }
-  // Shortest digits that read back the same, with the decimal point that STEP requires.
-  char digits[40];
-  char* const end = std::to_chars(digits, digits + sizeof digits, value).ptr;
-  char* const exponent = std::find(digits, end, 'e');
-  text_.append(digits, exponent);
-  if (std::find(digits, exponent, '.') == exponent) text_ += '.';
-  if (exponent == end) return;
-  text_ += 'E';
-  text_.append(exponent + 1, end);
+  const std::size_t begin = text_.size();
+  append_real(text_, value);
+  // STEP requires a decimal point, and a capital exponent.
+  const std::size_t exponent = text_.find('e', begin);
+  if (exponent != text_.npos) text_[exponent] = 'E';
+  if (text_.find('.', begin) == text_.npos) text_.insert(std::min(exponent, text_.size()), 1, '.');
 }
 
 void StepText::append(StepId id) {

@@ -6,18 +6,19 @@
 #include <vector>
 
 #include "curveups/bodies/print_body.hpp"
+#include "curveups/fabrication/file_formats.hpp"
 
 namespace curveups {
 
 // The number of an entity.
 enum class StepId : int {};
 
-// Appends entities. Numbers read back the same. Throws SolverFailure for a number that is not
-// finite.
+// Appends entities to a file. Numbers read back the same. Throws SolverFailure for a number that is
+// not finite.
 class StepText {
  public:
   // Writes the header of AP214, without a date.
-  explicit StepText(const std::string& title);
+  StepText(const std::string& title, const std::string& path);
 
   // Adds an entity from its parts: text, numbers, ids, points and lists of ids.
   template <class... Parts>
@@ -27,11 +28,12 @@ class StepText {
     append("=");
     (append(parts), ...);
     append(";\n");
+    if (text_.size() > flush_size) flush();
     return id;
   }
 
-  // Ends the file and returns all of it.
-  const std::string& finish();
+  // Ends the file. Throws what OutputFile::close throws.
+  void finish();
 
  private:
   void append(const char* text) { text_ += text; }
@@ -41,6 +43,10 @@ class StepText {
   void append(const Vec3& v);
   void append(const std::vector<StepId>& ids);
 
+  static constexpr std::size_t flush_size = 1 << 18;  // bytes
+  void flush();
+
+  OutputFile file_;
   std::string text_;
   int count_ = 0;
 };

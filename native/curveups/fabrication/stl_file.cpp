@@ -15,7 +15,7 @@ void append(std::string& bytes, const Vec3& v) {
     const float x = static_cast<float>(v[k]);
     std::uint32_t bits;
     std::memcpy(&bits, &x, 4);
-    for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<char>(bits >> shift));
+    append_number(bytes, bits, 4);
   }
 }
 
@@ -30,7 +30,7 @@ void write_stl(const std::vector<BodyMesh>& meshes, const std::string& title,
   std::string bytes = "CurveUps " + title.substr(0, cut) + " (mm)";
   bytes.resize(80, ' ');
   bytes.reserve(84 + 50ull * count);
-  for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<char>(count >> shift));
+  append_number(bytes, count, 4);
   for (const BodyMesh& mesh : meshes) {
     checkpoint();
     for (const auto& t : mesh.triangles) {

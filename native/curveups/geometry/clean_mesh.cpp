@@ -3,14 +3,14 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/functional/hash.hpp>
 #include <cmath>
-#include <cstdint>
+#include <limits>
 #include <queue>
 #include <unordered_map>
 #include <utility>
 
 #include "curveups/core/checkpoint.hpp"
+#include "curveups/core/disjoint_sets.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/tolerances.hpp"
 #include "curveups/geometry/face_soup.hpp"
@@ -51,42 +51,23 @@ Eigen::AlignedBox3d box_of(const Points3& V) {  // box around the finite vertice
   return box;
 }
 
-// For each vertex the lowest one within the tolerance that is its own target. Cells are eight
-// tolerances wide, so that most vertices search one cell, and start at the box's lowest corner:
-// indices would overflow far from the origin.
-std::vector<int> merged_vertices(const Points3& V, const Vec3& corner, double tolerance) {
-  const double width = 8 * tolerance;
-  using Cell = std::array<std::int64_t, 3>;
-  const auto hash = [](const Cell& cell) { return boost::hash_range(cell.begin(), cell.end()); };
-  const auto index = [&](int k, double x) { return std::llround((x - corner[k]) / width); };
-  std::unordered_map<Cell, int, decltype(hash)> first(V.rows() / 4, hash);  // vertex in a cell
-  std::vector<int> next(V.rows(), -1);                                      // in the same cell
-  std::vector<int> target(V.rows());
+// Sets of vertices that chains of distances within the tolerance join. A sweep along a direction in
+// which few surfaces have many vertices finds them.
+DisjointSets merged_vertices(const Points3& V, double tolerance) {
+  const Eigen::VectorXd place = V * Vec3(0.6015, 0.5347, 0.5934);  // a unit vector
+  std::vector<int> order;
   for (int v = 0; v < V.rows(); ++v) {
-    checkpoint_now_and_then(v);
-    target[v] = v;
-    if (!V.row(v).allFinite()) continue;
-    Cell low, high, cell;
-    for (int k = 0; k < 3; ++k) {
-      low[k] = index(k, V(v, k) - tolerance);
-      high[k] = index(k, V(v, k) + tolerance);
-    }
-    for (cell[0] = low[0]; cell[0] <= high[0]; ++cell[0]) {
-      for (cell[1] = low[1]; cell[1] <= high[1]; ++cell[1]) {
-        for (cell[2] = low[2]; cell[2] <= high[2]; ++cell[2]) {
-          const auto it = first.find(cell);
-          for (int w = it == first.end() ? -1 : it->second; w >= 0; w = next[w]) {
-            if (w < target[v] && (V.row(w) - V.row(v)).norm() <= tolerance) target[v] = w;
-          }
-        }
-      }
-    }
-    if (target[v] != v) continue;
-    for (int k = 0; k < 3; ++k) cell[k] = index(k, V(v, k));
-    int& head = first.emplace(cell, -1).first->second;
-    next[v] = std::exchange(head, v);
+    if (V.row(v).allFinite()) order.push_back(v);
   }
-  return target;
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return place[a] < place[b]; });
+  DisjointSets sets(V.rows());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    checkpoint_now_and_then(k);
+    for (std::size_t l = k; l-- > 0 && place[order[k]] - place[order[l]] <= tolerance;) {
+      if ((V.row(order[k]) - V.row(order[l])).norm() <= tolerance) sets.unite(order[k], order[l]);
+    }
+  }
+  return sets;
 }
 
 int flat_count(const Points3& V, const std::vector<Face>& faces) {
@@ -163,7 +144,63 @@ int remove_slivers(const Points3& V, std::vector<Face>& faces) {
   return before - flat_count(V, faces);
 }
 
+// Duplicates vertices until all faces of each are neighbours of one another. Returns how many there
+// are; none where more than two faces meet in an edge.
+int part_vertices(TriangleMesh& mesh) {
+  DisjointSets corners(3 * mesh.F.rows());  // corners of faces, joined around vertices
+  bool manifold = true;
+  const auto corner_at = [&](const EdgeSide& side, int vertex) {
+    return 3 * side.face + (mesh.F(side.face, side.side) == vertex ? side.side : next3(side.side));
+  };
+  visit_edges(mesh.F, [&](const EdgeSide* begin, const EdgeSide* end) {
+    manifold = manifold && end - begin <= 2;
+    if (end - begin != 2) return;
+    for (const int v : {begin->low, begin->high}) {
+      corners.unite(corner_at(begin[0], v), corner_at(begin[1], v));
+    }
+  });
+  if (!manifold) return 0;
+  const int before = static_cast<int>(mesh.V.rows());
+  std::vector<int> first(before, -1);  // set of corners that keeps the vertex
+  std::unordered_map<int, int> copies;
+  std::vector<int> original;
+  for (int c = 0; c < 3 * mesh.F.rows(); ++c) {
+    const int v = mesh.F(c / 3, c % 3), set = static_cast<int>(corners.find(c));
+    if (first[v] < 0) first[v] = set;
+    if (first[v] == set) continue;
+    const auto [at, added] = copies.emplace(set, before + static_cast<int>(original.size()));
+    if (added) original.push_back(v);
+    mesh.F(c / 3, c % 3) = at->second;
+  }
+  const int count = static_cast<int>(original.size());
+  mesh.V.conservativeResize(before + count, 3);
+  for (int k = 0; k < count; ++k) mesh.V.row(before + k) = mesh.V.row(original[k]);
+  draw_apart(mesh, before);
+  return count;
+}
+
 }  // namespace
+
+void draw_apart(TriangleMesh& mesh, int first) {
+  const Eigen::Index count = mesh.V.rows();
+  Eigen::VectorXd shortest =
+      Eigen::VectorXd::Constant(count, std::numeric_limits<double>::infinity());
+  Points3 inwards = Points3::Zero(count, 3);
+  for (int f = 0; f < mesh.F.rows(); ++f) {
+    for (int t = 0; t < 3; ++t) {
+      const int a = mesh.F(f, t);
+      for (int b : {mesh.F(f, next3(t)), mesh.F(f, prev3(t))}) {
+        const Vec3 d = mesh.V.row(b) - mesh.V.row(a);
+        shortest[a] = std::min(shortest[a], d.norm());
+        inwards.row(a) += d;
+      }
+    }
+  }
+  for (Eigen::Index v = first; v < count; ++v) {
+    const double size = inwards.row(v).norm();
+    if (size > 0) mesh.V.row(v) += 1e-3 * shortest[v] / size * inwards.row(v);
+  }
+}
 
 bool has_no_area(const TriangleMesh& mesh, int face) {
   return flat(mesh.V, {mesh.F(face, 0), mesh.F(face, 1), mesh.F(face, 2)});
@@ -194,11 +231,11 @@ CleanMesh clean_mesh(const TriangleMesh& soup) {
       throw InvalidInput("all corners of the surface lie in one point",
                          "check the file, and the transformations in it");
     }
-    const std::vector<int> target = merged_vertices(soup.V, box.min(), merge_share * size);
+    DisjointSets sets = merged_vertices(soup.V, merge_share * size);
     std::size_t merged = 0;
-    for (int v = 0; v < soup.V.rows(); ++v) merged += target[v] != v;
+    for (int v = 0; v < soup.V.rows(); ++v) merged += sets.find(v) != v;
     for (Face& face : faces) {
-      for (int& v : face) v = target[v];
+      for (int& v : face) v = sets.find(v);
     }
     note(merged, " coincident vertices merged");
   }
@@ -213,7 +250,7 @@ CleanMesh clean_mesh(const TriangleMesh& soup) {
     return Eigen::Map<const Triangles>(faces.data()->data(), faces.size(), 3);
   };
   std::vector<char> repeated(faces.size(), 0);
-  for (int f : repeated_faces(rows(), static_cast<int>(soup.V.rows()))) repeated[f] = 1;
+  for (int f : repeated_faces(rows())) repeated[f] = 1;
   remove_marked(faces, repeated);
   note(std::count(repeated.begin(), repeated.end(), 1), " doubled faces removed");
   out.mesh = used_part(soup.V, rows()).mesh;
@@ -226,6 +263,7 @@ CleanMesh clean_mesh(const TriangleMesh& soup) {
       ++turned;
     }
     note(turned, " faces turned over to agree with their neighbours");
+    note(part_vertices(out.mesh), " corners taken apart where parts touched");
   }
   return out;
 }

@@ -93,8 +93,10 @@ Vec3 ClosestPoints::normal(int face) const {
 
 Eigen::VectorXd distances(const Points3& points, const ClosestPoints& surface) {
   Eigen::VectorXd distance(points.rows());
-  parallel_for(static_cast<int>(points.rows()),
-               [&](int i) { distance[i] = surface(points.row(i)).distance; });
+  parallel_for(static_cast<int>(points.rows()), [&](int i) {
+    checkpoint();
+    distance[i] = surface(points.row(i)).distance;
+  });
   return distance;
 }
 

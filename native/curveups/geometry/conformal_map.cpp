@@ -106,70 +106,23 @@ SparseMatrix conformal_energy(const TriangleMesh& mesh, const MeshTopology& topo
   return matrix;
 }
 
-// Moves the boundary's centroid of every column to the origin.
-void centre(Eigen::MatrixXd& x, const Eigen::VectorXd& weight) {
-  for (int c = 0; c < x.cols(); ++c) {
-    Eigen::Map<Points2> points(x.col(c).data(), x.rows() / 2, 2);
+// Takes one step of subspace iteration with K^-1 B: the columns of x become Ritz vectors of unit
+// boundary norm, the least energy first, the boundary's centroid at the origin.
+void improve(const SparseCholesky& solver, const Eigen::VectorXd& weight,
+             const Eigen::VectorXd& norm, Eigen::MatrixXd& x) {
+  const Eigen::MatrixXd weighted = norm.asDiagonal() * x;
+  x = solver.solve(weighted);
+  for (auto column : x.colwise()) {
+    Eigen::Map<Points2> points(column.data(), weight.size(), 2);
     const Eigen::RowVector2d centroid = weight.transpose() * points;
     points.rowwise() -= centroid;
   }
-}
-
-// Start that spans similarities of the surface's projections, plus a deterministic ripple: no mode
-// is orthogonal to all of it.
-Eigen::MatrixXd start_vectors(const TriangleMesh& mesh) {
-  const Points3 X = mesh.V.rowwise() - mesh.V.colwise().mean();
-  const double size = std::max(X.rowwise().norm().maxCoeff(), 1e-300);
-  Eigen::MatrixXd x(2 * mesh.V.rows(), block);
-  for (int v = 0; v < mesh.V.rows(); ++v) {
-    const Vec3 p = X.row(v).transpose() / size;
-    const double q[block / 2][2] = {{p.x(), p.y()},
-                                    {p.y(), p.z()},
-                                    {p.z(), p.x()},
-                                    {p.x() * p.y() - 0.3 * p.z(), p.x() * p.x() - p.z() * p.z()}};
-    for (int k = 0; k < block / 2; ++k) {
-      // The mirrored partner: one of the two keeps the orientation.
-      x(2 * v, 2 * k) = q[k][0];
-      x(2 * v + 1, 2 * k) = q[k][1];
-      x(2 * v, 2 * k + 1) = q[k][0];
-      x(2 * v + 1, 2 * k + 1) = -q[k][1];
-    }
-  }
-  // The ripple keeps projections of a flat or symmetric surface independent.
-  for (int c = 0; c < block; ++c) {
-    for (int i = 0; i < x.rows(); ++i) x(i, c) += 0.05 * std::sin(1.0 + i * (c + 1) * 0.7391);
-  }
-  return x;
-}
-
-// Takes one step of subspace iteration: x becomes the Ritz vectors of K^-1 B x of unit boundary
-// norm, the least energy first; dependent columns become zero.
-void improve(const SparseCholesky& solver, const Eigen::VectorXd& weight,
-             const Eigen::VectorXd& norm, Eigen::MatrixXd& x) {
-  const Eigen::MatrixXd rhs = norm.asDiagonal() * x;
-  x = solver.solve(rhs);
-  Eigen::MatrixXd energy = x.transpose() * rhs;  // y^T K y for y = K^-1 rhs
-  Eigen::VectorXd unit(block);
-  for (int c = 0; c < block; ++c) unit[c] = energy(c, c) > 0 ? 1 / std::sqrt(energy(c, c)) : 0;
-  energy = (unit.asDiagonal() * (0.5 * (energy + energy.transpose())) * unit.asDiagonal()).eval();
-  x = (x * unit.asDiagonal()).eval();
-  centre(x, weight);
-  // Largest norms at unit energy, so that the small energies are accurate.
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> basis(energy);
-  for (int c = 0; c < block; ++c) {
-    const double value = basis.eigenvalues()[c];
-    unit[c] = value > 1e-13 ? 1 / std::sqrt(value) : 0;
-  }
-  const Eigen::MatrixXd whiten = basis.eigenvectors() * unit.asDiagonal();
-  const Eigen::MatrixXd gram =
-      whiten.transpose() * (x.transpose() * norm.asDiagonal() * x) * whiten;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(gram);
-  const double largest = ritz.eigenvalues()[block - 1];
-  for (int c = 0; c < block; ++c) {
-    const double value = ritz.eigenvalues()[c];
-    unit[c] = value > 1e-18 * largest ? 1 / std::sqrt(value) : 0;
-  }
-  x = (x * (whiten * (ritz.eigenvectors() * unit.asDiagonal()).rowwise().reverse())).eval();
+  const Eigen::MatrixXd projected = weighted.transpose() * x;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(projected + projected.transpose());
+  x = (x * ritz.eigenvectors().rowwise().reverse()).eval();
+  const Eigen::MatrixXd factors =
+      Eigen::MatrixXd(norm.cwiseSqrt().asDiagonal() * x).householderQr().matrixQR();
+  factors.topRows(x.cols()).triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight>(x);
 }
 
 // Generalised eigenvector of the least eigenvalue. The shift is a multiple of the norm and changes
@@ -183,10 +136,11 @@ Eigen::VectorXd least_mode(const TriangleMesh& mesh, const MeshTopology& topolog
     throw SolverFailure("the conformal map's system is not positive definite",
                         "remesh the surface: it has faces with next to no area");
   }
-  Eigen::VectorXd norm(2 * weight.size());
-  for (int v = 0; v < weight.size(); ++v) norm[2 * v] = norm[2 * v + 1] = weight[v];
-  Eigen::MatrixXd x = start_vectors(mesh);
-  centre(x, weight);
+  const Eigen::VectorXd norm = weight.replicate(1, 2).reshaped<Eigen::RowMajor>();
+  // A deterministic ripple, to which no mode is orthogonal.
+  const Eigen::Index modes = std::min<Eigen::Index>(block, 2 * (weight.array() > 0).count() - 2);
+  Eigen::MatrixXd x = Eigen::MatrixXd::NullaryExpr(
+      norm.size(), modes, [](auto i, auto c) { return std::sin(1.0 + 0.7391 * i * (c + 1)); });
   Eigen::VectorXd least = x.col(0), turned(x.rows());
   double last_change = 1;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {

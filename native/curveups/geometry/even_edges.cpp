@@ -58,7 +58,7 @@ void relax_springs(const Triangles& F, SurfacePoints& points, const MeshTopology
     moved.V.row(v) = closest.point;
     moved.normal.row(v) = surface.normal(closest.face);
   });
-  cut_short(F, points, moved, surface);
+  undo_unsound_moves(F, points, moved);
   points = std::move(moved);
 }
 
@@ -83,39 +83,24 @@ std::vector<int> unsound_faces(const SurfacePoints& points, const Triangles& F) 
   return faces_where(F, [&](int f) { return soundness(points, F, f) < least_soundness; });
 }
 
-void cut_short(const Triangles& F, const SurfacePoints& before, SurfacePoints& after,
-               const ClosestPoints& surface) {
-  constexpr double least_share = 0.1;  // share of a move below which the move is left out
-  std::vector<double> share;
-  // Ends: shares only shrink, and faces without a moving vertex are as before.
+void undo_unsound_moves(const Triangles& F, const SurfacePoints& before, SurfacePoints& after) {
+  // Ends: a face without a moving vertex is as before.
   for (;;) {
     const std::vector<int> spoiled = faces_where(F, [&](int f) {
       const double now = soundness(after, F, f);
       return now < least_soundness && now < soundness(before, F, f);
     });
     if (spoiled.empty()) return;
-    if (share.empty()) share.assign(before.V.rows(), 1);
-    std::vector<int> vertices;
-    for (int f : spoiled) vertices.insert(vertices.end(), F.data() + 3 * f, F.data() + 3 * f + 3);
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    for (int v : vertices) {
-      share[v] *= 0.5;
-      if (share[v] < least_share || after.V.row(v) == before.V.row(v)) {
-        share[v] = 0;  // and the old normal: a point on an edge may have several
+    for (int f : spoiled) {
+      for (int v : F.row(f)) {
         after.V.row(v) = before.V.row(v);
-        after.normal.row(v) = before.normal.row(v);
-        continue;
+        after.normal.row(v) = before.normal.row(v);  // a point on an edge may have several
       }
-      const Vec3 half = 0.5 * (before.V.row(v) + after.V.row(v));
-      const ClosestPoint closest = surface(half);
-      after.V.row(v) = closest.point;
-      after.normal.row(v) = surface.normal(closest.face);
     }
   }
 }
 
-int flip_towards_regular(IsotropicMesh& mesh) {
+int flip_towards_regular(IsotropicMesh& mesh, const std::vector<char>& kept) {
   Triangles& F = mesh.mesh.F;
   const Points3& V = mesh.mesh.V;
   const MeshTopology topology = build_topology(F, static_cast<int>(V.rows()));
@@ -130,7 +115,8 @@ int flip_towards_regular(IsotropicMesh& mesh) {
   }
   std::unordered_set<std::uint64_t> features;
   for (const auto& [a, b] : mesh.features) features.insert(edge_key(a, b));
-  std::vector<char> touched(F.rows(), 0);
+  std::vector<char> touched = kept;
+  touched.resize(F.rows(), 0);
   int flips = 0;
   for (const MeshEdge& edge : topology.edges) {
     if (edge.boundary() || touched[edge.face[0]] || touched[edge.face[1]]) continue;
@@ -168,7 +154,7 @@ int flip_towards_regular(IsotropicMesh& mesh) {
 }
 
 SurfacePoints even_edges(IsotropicMesh& mesh, double length, int passes,
-                         const ClosestPoints& surface) {
+                         const ClosestPoints& surface, bool flips) {
   const int vertices = static_cast<int>(mesh.mesh.V.rows());
   MeshTopology topology = build_topology(mesh.mesh.F, vertices);
   std::vector<char> free(vertices, 1);
@@ -189,7 +175,7 @@ SurfacePoints even_edges(IsotropicMesh& mesh, double length, int passes,
   for (int pass = 0; pass < passes; ++pass) {
     relax_springs(mesh.mesh.F, points, topology, length, free, surface);
     mesh.mesh.V = points.V;
-    if (pass % 4 == 3 && flip_towards_regular(mesh) > 0) {
+    if (flips && pass % 4 == 3 && flip_towards_regular(mesh) > 0) {
       topology = build_topology(mesh.mesh.F, vertices);
     }
   }

@@ -26,20 +26,19 @@ inline constexpr double least_soundness = 0.05;
 // Faces that are slivers or turned over, ascending.
 std::vector<int> unsound_faces(const SurfacePoints& points, const Triangles& F);
 
-// Halves moves of vertices from `before` to `after`, and at last leaves them out, where they would
-// make a face a sliver or turn it over. Moves that mend an unsound face stay. Every face of `after`
-// is then sound or as sound as before. Vertices that moved end on `surface`.
-void cut_short(const Triangles& F, const SurfacePoints& before, SurfacePoints& after,
-               const ClosestPoints& surface);
+// Undoes moves of vertices from `before` to `after` that would make a face a sliver or turn it
+// over. Moves that mend an unsound face stay. Every face of `after` is then sound or as sound as
+// before.
+void undo_unsound_moves(const Triangles& F, const SurfacePoints& before, SurfacePoints& after);
 
 // Flips edges that are no features towards valence 6 (4 on the boundary) where that spoils no
-// angle. Returns how many.
-int flip_towards_regular(IsotropicMesh& mesh);
+// angle. kept: per face, those that stay as they are; empty: none. Returns how many.
+int flip_towards_regular(IsotropicMesh& mesh, const std::vector<char>& kept = {});
 
 // `passes` rounds of springs of rest length `length` that move the vertices which are neither fixed
-// nor on the boundary or a feature, and put them back onto `surface`; flips in between. cut_short
-// limits every move. Returns the vertices with the surface's normals.
+// nor on the boundary or a feature, and put them back onto `surface`; flips in between, if asked
+// for. undo_unsound_moves checks every move. Returns the vertices with the surface's normals.
 SurfacePoints even_edges(IsotropicMesh& mesh, double length, int passes,
-                         const ClosestPoints& surface);
+                         const ClosestPoints& surface, bool flips = true);
 
 }  // namespace curveups

@@ -10,40 +10,29 @@
 
 namespace curveups {
 
-void visit_edges(const Eigen::Ref<const Triangles>& F, int vertex_count,
+void visit_edges(const Eigen::Ref<const Triangles>& F,
                  const std::function<void(const EdgeSide* begin, const EdgeSide* end)>& visit) {
-  const auto low_vertex = [&](int f, int t) { return std::min(F(f, t), F(f, next3(t))); };
-  // Sorted by counting: the sides of low vertex v become [start[v], start[v + 1]).
-  std::vector<int> start(vertex_count + 2, 0);
-  for (int f = 0; f < F.rows(); ++f) {
-    for (int t = 0; t < 3; ++t) ++start[low_vertex(f, t) + 2];
-  }
-  for (int v = 2; v < vertex_count + 2; ++v) start[v] += start[v - 1];
-  std::vector<EdgeSide> sides(3 * F.rows());
+  std::vector<EdgeSide> sides;
+  sides.reserve(3 * F.rows());
   for (int f = 0; f < F.rows(); ++f) {
     checkpoint_now_and_then(f);
     for (int t = 0; t < 3; ++t) {
-      const int low = low_vertex(f, t), high = std::max(F(f, t), F(f, next3(t)));
-      sides[start[low + 1]++] = {low, high, f, t, F(f, t) == low};
+      const auto [low, high] = std::minmax({F(f, t), F(f, next3(t))});
+      if (low != high) sides.push_back({low, high, f, t, F(f, t) == low});
     }
   }
-  for (int v = 0; v < vertex_count; ++v) {
-    checkpoint_now_and_then(v);
-    EdgeSide* at = sides.data() + start[v];
-    EdgeSide* const last = sides.data() + start[v + 1];
-    std::sort(at, last, [](const EdgeSide& a, const EdgeSide& b) {
-      return std::tie(a.high, a.face, a.side) < std::tie(b.high, b.face, b.side);
-    });
-    while (at != last) {
-      EdgeSide* next = at;
-      while (next != last && next->high == at->high) ++next;
-      if (at->high != v) visit(at, next);
-      at = next;
-    }
+  std::sort(sides.begin(), sides.end(), [](const EdgeSide& a, const EdgeSide& b) {
+    return std::tie(a.low, a.high, a.face, a.side) < std::tie(b.low, b.high, b.face, b.side);
+  });
+  const EdgeSide* const last = sides.data() + sides.size();
+  for (const EdgeSide *at = sides.data(), *next = at; at != last; at = next) {
+    checkpoint_now_and_then(at - sides.data());
+    while (next != last && next->low == at->low && next->high == at->high) ++next;
+    visit(at, next);
   }
 }
 
-std::vector<int> repeated_faces(const Eigen::Ref<const Triangles>& F, int vertex_count) {
+std::vector<int> repeated_faces(const Eigen::Ref<const Triangles>& F) {
   std::vector<int> repeated;
   const auto visit = [&](const EdgeSide* begin, const EdgeSide* end) {
     if (end - begin < 2) return;
@@ -53,7 +42,7 @@ std::vector<int> repeated_faces(const Eigen::Ref<const Triangles>& F, int vertex
       if (third > side->high && !thirds.insert(third).second) repeated.push_back(side->face);
     }
   };
-  visit_edges(F, vertex_count, visit);
+  visit_edges(F, visit);
   std::sort(repeated.begin(), repeated.end());
   return repeated;
 }
@@ -62,7 +51,7 @@ Orientation orientation_of(const Points3& V, const Eigen::Ref<const Triangles>& 
   const int face_count = static_cast<int>(F.rows());
   Triangles across = Triangles::Constant(face_count, 3, -1);  // the face at each side
   std::vector<std::array<char, 3>> alike(face_count);  // runs along that side in the same direction
-  visit_edges(F, static_cast<int>(V.rows()), [&](const EdgeSide* begin, const EdgeSide* end) {
+  visit_edges(F, [&](const EdgeSide* begin, const EdgeSide* end) {
     if (end - begin != 2) return;
     for (int k = 0; k < 2; ++k) {
       across(begin[k].face, begin[k].side) = begin[1 - k].face;

@@ -18,14 +18,14 @@ struct EdgeSide {
 };
 
 // Calls visit(begin, end) for every edge with its sides, in ascending order of (low, high), the
-// sides in ascending order of (face, side). F: M x 3 with indices below vertex_count; sides that
-// join a vertex with itself are left out. Linear in M but for crowded vertices. Throws Cancelled.
-void visit_edges(const Eigen::Ref<const Triangles>& F, int vertex_count,
+// sides in ascending order of (face, side). Sides that join a vertex with itself are left out.
+// Throws Cancelled.
+void visit_edges(const Eigen::Ref<const Triangles>& F,
                  const std::function<void(const EdgeSide* begin, const EdgeSide* end)>& visit);
 
 // Rows of faces whose three vertices an earlier face has, in any order; ascending. Faces that use a
 // vertex twice are left out. Throws Cancelled.
-std::vector<int> repeated_faces(const Eigen::Ref<const Triangles>& F, int vertex_count);
+std::vector<int> repeated_faces(const Eigen::Ref<const Triangles>& F);
 
 struct Orientation {
   std::vector<char> turn;  // per face: whether it is to be turned over

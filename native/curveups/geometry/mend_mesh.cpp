@@ -54,8 +54,7 @@ bool is_manifold(const TriangleMesh& mesh) {
 }
 
 // Duplicates vertices until the mesh is a manifold (CGAL's orient_polygon_soup, which turns faces,
-// too). Each duplicate moves by a thousandth of its shortest edge towards its faces, so that they
-// are not merged again. Returns how many there are.
+// too). Returns how many duplicates there are.
 int part_manifolds(TriangleMesh& mesh) {
   std::vector<Kernel::Point_3> points;
   for (const auto p : mesh.V.rowwise()) points.emplace_back(p.x(), p.y(), p.z());
@@ -68,23 +67,10 @@ int part_manifolds(TriangleMesh& mesh) {
   const int before = static_cast<int>(mesh.V.rows()), after = static_cast<int>(points.size());
   TriangleMesh out{Points3(after, 3), Triangles(mesh.F.rows(), 3)};
   for (int v = 0; v < after; ++v) out.V.row(v) << points[v].x(), points[v].y(), points[v].z();
-  std::vector<double> shortest(after, std::numeric_limits<double>::infinity());
-  Points3 inwards = Points3::Zero(after, 3);
   for (int f = 0; f < out.F.rows(); ++f) {
     for (int t = 0; t < 3; ++t) out.F(f, t) = static_cast<int>(polygons[f][t]);
-    for (int t = 0; t < 3; ++t) {
-      const int a = out.F(f, t);
-      for (int b : {out.F(f, next3(t)), out.F(f, prev3(t))}) {
-        const Vec3 d = out.V.row(b) - out.V.row(a);
-        shortest[a] = std::min(shortest[a], d.norm());
-        inwards.row(a) += d;
-      }
-    }
   }
-  for (int v = before; v < after; ++v) {
-    const double size = inwards.row(v).norm();
-    if (size > 0) out.V.row(v) += 1e-3 * shortest[v] / size * inwards.row(v);
-  }
+  draw_apart(out, before);
   mesh = std::move(out);
   return after - before;
 }

@@ -58,15 +58,13 @@ void check_manifold(const TriangleMesh& mesh, Findings& findings) {
   for (int f = 0; f < mesh.F.rows(); ++f) {
     if (has_no_area(mesh, f)) degenerate.push_back(f);
   }
-  visit_edges(mesh.F, static_cast<int>(mesh.V.rows()),
-              [&](const EdgeSide* begin, const EdgeSide* end) {
-                std::vector<int>* wrong = end - begin > 2 ? &crowded : nullptr;
-                if (end - begin == 2 && begin[0].up == begin[1].up) wrong = &twisted;
-                for (; wrong && begin != end; ++begin) wrong->push_back(begin->face);
-              });
+  visit_edges(mesh.F, [&](const EdgeSide* begin, const EdgeSide* end) {
+    std::vector<int>* wrong = end - begin > 2 ? &crowded : nullptr;
+    if (end - begin == 2 && begin[0].up == begin[1].up) wrong = &twisted;
+    for (; wrong && begin != end; ++begin) wrong->push_back(begin->face);
+  });
   findings.add_rows("degenerate-faces", "faces", degenerate);
-  findings.add_rows("duplicate-faces", "faces",
-                    repeated_faces(mesh.F, static_cast<int>(mesh.V.rows())));
+  findings.add_rows("duplicate-faces", "faces", repeated_faces(mesh.F));
   findings.add_rows("non-manifold-edges", "faces", crowded);
   if (!findings.list.empty()) return;
   if (!twisted.empty()) {

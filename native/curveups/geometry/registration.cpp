@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/geometry/registration.hpp"
 
-#include <ceres/ceres.h>
-
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
@@ -24,6 +24,8 @@ constexpr double contrast = 4;      // times the least loss, with which a pose i
 constexpr int first_turns = 900;    // rotations some 25 degrees apart
 constexpr int jittered_turns = 40;  // around each pose that remains
 constexpr int marker_rounds = 10;   // of the noise and the pose that follows from it
+constexpr int marker_steps = 10;    // of a round
+constexpr double singular = 1e-14;  // ratio of eigenvalues below which a direction is free
 constexpr double pi = 3.14159265358979323846;
 
 // Scanned points are relative to their middle: x -> turn x + shift.
@@ -31,33 +33,6 @@ struct Pose {
   Eigen::Quaterniond turn;
   Vec3 shift;
   Vec3 operator()(const Vec3& x) const { return turn * x + shift; }
-};
-
-template <class T>
-Eigen::Matrix<T, 3, 1> moved_point(const T* turn, const T* shift, const Vec3& point) {
-  return Eigen::Map<const Eigen::Quaternion<T>>(turn) * point.cast<T>().eval() +
-         Eigen::Map<const Eigen::Matrix<T, 3, 1>>(shift);
-}
-
-struct PlaneResidual {
-  Vec3 point, foot, normal;
-  template <class T>
-  bool operator()(const T* turn, const T* shift, T* distance) const {
-    *distance = normal.cast<T>().dot(moved_point(turn, shift, point) - foot.cast<T>());
-    return true;
-  }
-  using Cost = ceres::AutoDiffCostFunction<PlaneResidual, 1, 4, 3>;
-};
-
-struct MarkerResidual {
-  Vec3 point, target;
-  template <class T>
-  bool operator()(const T* turn, const T* shift, T* difference) const {
-    Eigen::Map<Eigen::Matrix<T, 3, 1>>{difference} =
-        moved_point(turn, shift, point) - target.cast<T>();
-    return true;
-  }
-  using Cost = ceres::AutoDiffCostFunction<MarkerResidual, 3, 4, 3>;
 };
 
 double median(std::vector<double> values) {
@@ -69,67 +44,61 @@ double median(std::vector<double> values) {
 // Standard deviation of normal noise along a normal, from absolute values.
 double noise_of(const std::vector<double>& distances) { return 1.4826 * median(distances) + 1e-9; }
 
-// Robust least squares over the pose.
-class PoseFit {
+// Normal equations of a Gauss-Newton step: a turn about the surface's axes and a shift, in mm.
+// Residuals have the weights of Tukey's loss.
+class PoseStep {
  public:
-  PoseFit(const Pose& start, double loss_scale)
-      : pose_(start), loss_(loss_scale), problem_(options()) {
-    problem_.AddParameterBlock(turn(), 4, new ceres::EigenQuaternionManifold);
-    problem_.AddParameterBlock(shift(), 3);
-  }
-  PoseFit(const PoseFit&) = delete;  // the problem points at the pose
-  PoseFit& operator=(const PoseFit&) = delete;
+  PoseStep(const Pose& pose, double loss_scale) : pose_(pose), loss_scale_(loss_scale) {}
 
-  template <class Residual>
-  void add(const Residual& residual) {
-    problem_.AddResidualBlock(new typename Residual::Cost(new Residual(residual)), &loss_, turn(),
-                              shift());
+  // Distances of a scanned point from a place, along each of these directions.
+  template <int Count>
+  void add(const Vec3& point, const Vec3& place,
+           const Eigen::Matrix<double, Count, 3>& directions) {
+    const Vec3 arm = pose_.turn * point;
+    const Eigen::Matrix<double, Count, 1> residual = directions * (arm + pose_.shift - place);
+    const double inside = 1 - residual.squaredNorm() / (loss_scale_ * loss_scale_);
+    if (inside <= 0) return;
+    Eigen::Matrix<double, Count, 6> rows;
+    for (int k = 0; k < Count; ++k) {
+      const Vec3 direction = directions.row(k);
+      rows.row(k) << arm.cross(direction).transpose(), direction.transpose();
+    }
+    matrix_ += inside * inside * rows.transpose() * rows;
+    gradient_ += inside * inside * rows.transpose() * residual;
   }
 
-  Pose solve(int steps) {
-    ceres::Solver::Options options;
-    options.linear_solver_type = ceres::DENSE_QR;
-    options.max_num_iterations = steps;
-    options.num_threads = 1;
-    options.logging_type = ceres::SILENT;
-    ceres::Solver::Summary summary;
-    ceres::Solve(options, &problem_, &summary);
-    pose_.turn.normalize();
-    return pose_;
+  Pose taken() const {
+    // Directions that the points leave free stay.
+    Matrix damped = matrix_;
+    damped.diagonal() = 1.0001 * damped.diagonal().cwiseMax(1e-6);
+    const Vector step = damped.ldlt().solve(-gradient_);
+    const Vec3 turn = step.head<3>();
+    return {(Eigen::AngleAxisd(turn.norm(), turn.normalized()) * pose_.turn).normalized(),
+            pose_.shift + step.tail<3>()};
   }
 
   // Fills in noise and deviations of a registration, for this noise of a residual.
-  void describe(double noise, Registration& out) {
+  void describe(double noise, Registration& out) const {
     out.noise = noise;
-    ceres::Covariance::Options options;
-    options.algorithm_type = ceres::DENSE_SVD;
-    options.num_threads = 1;
-    ceres::Covariance covariance(options);
-    Eigen::Matrix3d turned, shifted;
-    if (!covariance.Compute({{turn(), turn()}, {shift(), shift()}}, &problem_) ||
-        !covariance.GetCovarianceBlockInTangentSpace(turn(), turn(), turned.data()) ||
-        !covariance.GetCovarianceBlockInTangentSpace(shift(), shift(), shifted.data())) {
-      turned = shifted = Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
+    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(matrix_);
+    const Vector& values = eigen.eigenvalues();
+    Vector deviation = Vector::Constant(std::numeric_limits<double>::quiet_NaN());
+    if (values[0] > singular * values[5]) {
+      const Vector inverse = values.cwiseInverse();
+      deviation = noise * (eigen.eigenvectors().cwiseAbs2() * inverse).cwiseSqrt();
     }
-    // A tangent of EigenQuaternionManifold is half of a rotation vector.
-    out.rotation_deviation = 2 * noise * turned.diagonal().cwiseSqrt();
-    out.translation_deviation = noise * shifted.diagonal().cwiseSqrt();
+    out.rotation_deviation = deviation.head<3>();
+    out.translation_deviation = deviation.tail<3>();
   }
 
  private:
-  double* turn() { return pose_.turn.coeffs().data(); }
-  double* shift() { return pose_.shift.data(); }
-
-  static ceres::Problem::Options options() {
-    ceres::Problem::Options out;
-    out.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-    out.disable_all_safety_checks = true;
-    return out;
-  }
+  using Matrix = Eigen::Matrix<double, 6, 6>;
+  using Vector = Eigen::Matrix<double, 6, 1>;
 
   Pose pose_;
-  ceres::TukeyLoss loss_;
-  ceres::Problem problem_;
+  double loss_scale_;
+  Matrix matrix_ = Matrix::Zero();
+  Vector gradient_ = Vector::Zero();
 };
 
 Vec3 middle_of(const Points3& points) {
@@ -181,9 +150,7 @@ class ScanRegistration {
     const std::vector<ClosestPoint> nearest = closest(pose, 20000);
     const double noise = noise_of(distances(nearest));
     out.loss_scale = tukey * noise;
-    PoseFit fit(pose, out.loss_scale);
-    add_planes(pose, nearest, out.loss_scale, fit);
-    fit.describe(noise, out);
+    step_of(pose, nearest, out.loss_scale).describe(noise, out);
     return out;
   }
 
@@ -240,29 +207,27 @@ class ScanRegistration {
     return out;
   }
 
-  // Points beyond the loss's scale have no influence.
-  void add_planes(const Pose& pose, const std::vector<ClosestPoint>& nearest, double loss_scale,
-                  PoseFit& fit) const {
+  PoseStep step_of(const Pose& pose, const std::vector<ClosestPoint>& nearest,
+                   double loss_scale) const {
+    PoseStep step(pose, loss_scale);
     for (std::size_t i = 0; i < nearest.size(); ++i) {
       const auto& [foot, face, distance] = nearest[i];
-      if (distance > loss_scale) continue;
-      fit.add(PlaneResidual{
-          points_[i], foot,
-          distance > 1e-9 ? Vec3((pose(points_[i]) - foot) / distance) : surface_.normal(face)});
+      const Vec3 normal =
+          distance > 1e-9 ? Vec3((pose(points_[i]) - foot) / distance) : surface_.normal(face);
+      step.add<1>(points_[i], foot, normal.transpose());
     }
+    return step;
   }
 
-  // Iterated closest points: a step of Ceres at a time, until one moves the pose by less than
-  // `arrived` mm. least: mm within which points count in any case.
+  // Iterated closest points, until a step moves the pose by less than `arrived` mm. least: mm
+  // within which points count in any case.
   Pose refined(Pose pose, int most, int steps, double least, double arrived) const {
     for (int step = 0; step < steps; ++step) {
       checkpoint();
       const std::vector<ClosestPoint> nearest = closest(pose, most);
       const double scale = std::max(tukey * noise_of(distances(nearest)), least);
-      PoseFit fit(pose, scale);
-      add_planes(pose, nearest, scale, fit);
       const Pose before = pose;
-      pose = fit.solve(1);
+      pose = step_of(pose, nearest, scale).taken();
       if (apart(before, pose) < arrived) break;
     }
     return pose;
@@ -354,6 +319,13 @@ Registration register_markers(const Points3& points, const Points3& targets) {
   const Eigen::Matrix4d start = Eigen::umeyama(centred.transpose(), targets.transpose(), false);
   Pose pose{Eigen::Quaterniond(start.topLeftCorner<3, 3>()), start.topRightCorner<3, 1>()};
   Registration out;
+  auto step_of = [&](const Pose& at) {
+    PoseStep step(at, out.loss_scale);
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+      step.add<3>(centred.row(i), targets.row(i), Eigen::Matrix3d::Identity());
+    }
+    return step;
+  };
   for (int round = 0; round < marker_rounds; ++round) {
     std::vector<double> distances;
     for (Eigen::Index i = 0; i < points.rows(); ++i) {
@@ -361,12 +333,8 @@ Registration register_markers(const Points3& points, const Points3& targets) {
     }
     const double noise = median(distances) / 1.538 + 1e-9;  // noise of a coordinate, in space
     out.loss_scale = tukey * noise;
-    PoseFit fit(pose, out.loss_scale);
-    for (Eigen::Index i = 0; i < points.rows(); ++i) {
-      fit.add(MarkerResidual{centred.row(i), targets.row(i)});
-    }
-    pose = fit.solve(10);
-    fit.describe(noise, out);
+    for (int step = 0; step < marker_steps; ++step) pose = step_of(pose).taken();
+    step_of(pose).describe(noise, out);
   }
   out.pose = motion_of(pose, middle);
   return out;

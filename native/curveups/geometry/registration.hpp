@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Rigid registration of a scan, without an initial guess: distances of its points to the tangent
-// planes at their closest points (Y. Chen and G. Medioni, 1992), minimized over SE(3) with a robust
-// loss by Ceres.
+// planes at their closest points (Y. Chen and G. Medioni, 1992), minimized over SE(3) by
+// Gauss-Newton steps with a robust loss.
 #pragma once
 
 #include "curveups/core/rigid_motion.hpp"

@@ -56,19 +56,15 @@ struct Sums {
 
 Sums sample(const TriangleMesh& mesh, const ClosestPoints& surface, double step) {
   const int faces = static_cast<int>(mesh.F.rows());
+  const Eigen::VectorXd of_vertex = distances(mesh.V, surface);
   std::vector<Sums> of_face(faces);
-  std::vector<int> first(mesh.V.rows(), -1);  // face that samples a vertex
-  for (int f = faces - 1; f >= 0; --f) {
-    for (int t = 0; t < 3; ++t) first[mesh.F(f, t)] = f;
-  }
   parallel_for(faces, [&](int f) {
     checkpoint();
     Sums& sums = of_face[f];
     Corners corners;
     for (int t = 0; t < 3; ++t) {
       corners[t] = mesh.V.row(mesh.F(f, t));
-      if (first[mesh.F(f, t)] != f) continue;
-      sums.largest = std::max(sums.largest, surface(corners[t]).distance);
+      sums.largest = std::max(sums.largest, of_vertex[mesh.F(f, t)]);
     }
     visit_parts(corners, step, [&](const Vec3& at, double area) {
       const double distance = surface(at).distance;

@@ -12,7 +12,6 @@
 #include "curveups/core/tolerances.hpp"
 #include "curveups/design/print_constants.hpp"
 #include "curveups/layout/arrange.hpp"
-#include "curveups/layout/initial_layout.hpp"
 #include "curveups/layout/layout_terms.hpp"
 
 namespace curveups {
@@ -54,10 +53,10 @@ void require_pin_regions(const PinBounds& bounds) {
 
 LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& parameters,
                           const Progress& progress, LayoutEffort effort,
-                          const LayoutCallback& callback) {
+                          const LayoutCallback& callback, const EarlierLayout* earlier) {
   require_pin_regions(geometry.pin_bounds);
   LayoutModel model = make_layout_model(geometry, parameters);
-  LayoutState state = initial_layout(model);
+  LayoutState state = initial_layout(model, earlier);
   LayoutTerms energies = make_energies(model);
   InteriorPoint method(
       {std::make_move_iterator(energies.begin()), std::make_move_iterator(energies.end())},

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "curveups/core/progress.hpp"
-#include "curveups/layout/layout_model.hpp"
+#include "curveups/layout/initial_layout.hpp"
 #include "curveups/numerics/solve_report.hpp"
 
 namespace curveups {
@@ -36,8 +36,10 @@ enum class LayoutEffort { full, draft };
 // d_gap_min, adds constraints and goes on, until there are none. Turned to the smallest bounding
 // rectangle, pieces side by side. Stopped by the progress sink it returns the last iterate. Throws
 // what initial_layout throws, InfeasibleDesign where a tile has no room for a pin, SolverFailure.
+// earlier: start instead (initial_layout).
 LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& parameters,
                           const Progress& progress, LayoutEffort effort = LayoutEffort::full,
-                          const LayoutCallback& callback = {});
+                          const LayoutCallback& callback = {},
+                          const EarlierLayout* earlier = nullptr);
 
 }  // namespace curveups

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/numerics/block_matrix.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -119,6 +120,53 @@ bool BlockMatrix<W>::factorize(double damping, double shift) {
   const bool done = cholesky_.factorize(matrix_);
   for (Eigen::Index i = 0; i < kept.size(); ++i) entry(i) = kept(i);
   return done;
+}
+
+template <int W>
+std::vector<Eigen::Matrix<double, W, W>> BlockMatrix<W>::inverse_diagonal() const {
+  const int count = pattern_->free_count();
+  std::vector<Block> inverse(count);
+  for (int b = 0; b < count; ++b) {
+    // Other rows of narrow blocks are those of the identity.
+    Block own = Block::Identity();
+    for (int c = 0; c < width(b); ++c) {
+      const double* column = matrix_.valuePtr() + matrix_.outerIndexPtr()[row_[b] + c] - c;
+      for (int r = c; r < width(b); ++r) own(r, c) = own(c, r) = column[r];
+    }
+    const Eigen::LLT<Block> cholesky(own);
+    inverse[b] = cholesky.info() == Eigen::Success ? Block(cholesky.solve(Block::Identity()))
+                                                   : Block(Block::Identity() / own.norm());
+  }
+  return inverse;
+}
+
+template <int W>
+Eigen::VectorXd BlockMatrix<W>::solve_iteratively(const Eigen::VectorXd& right,
+                                                  double tolerance) const {
+  const std::vector<Block> inverse = inverse_diagonal();
+  Eigen::VectorXd residual = ranked(right), preconditioned(residual.size()),
+                  x = Eigen::VectorXd::Zero(residual.size()), direction, product;
+  const double goal = tolerance * residual.norm();
+  double slope = 0;
+  for (Eigen::Index k = 0; k < residual.size() && residual.norm() > goal; ++k) {
+    for (std::size_t b = 0; b < inverse.size(); ++b) {
+      const int row = row_[b], rows = width(static_cast<int>(b));
+      preconditioned.segment(row, rows).noalias() =
+          inverse[b].topLeftCorner(rows, rows) * residual.segment(row, rows);
+    }
+    const double next = residual.dot(preconditioned);
+    direction = k == 0 ? preconditioned : preconditioned + next / slope * direction;
+    slope = next;
+    product.noalias() = matrix_.template selfadjointView<Eigen::Lower>() * direction;
+    const double curvature = direction.dot(product);
+    if (!(curvature > 0)) {
+      if (k == 0) x = direction;
+      break;
+    }
+    x += slope / curvature * direction;
+    residual -= slope / curvature * product;
+  }
+  return unranked(x);
 }
 
 // Goes column by column, as these are long.

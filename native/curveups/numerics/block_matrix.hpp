@@ -97,6 +97,12 @@ class BlockMatrix {
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const {
     return unranked(cholesky_.solve(ranked(right)));
   }
+  // Approximate solution by conjugate gradients, which needs no factorization: good for matrices
+  // that the inverses of their diagonal blocks precondition well. Ends where the residual's norm is
+  // `tolerance` of the right side's, or at a direction without positive curvature, of which it
+  // keeps the first alone: a descent direction of Newton's method (truncated Newton, Nocedal and
+  // Wright, Numerical Optimization, 7.1).
+  Eigen::VectorXd solve_iteratively(const Eigen::VectorXd& right, double tolerance) const;
   // Product with x, in the caller's numbering as well.
   Eigen::MatrixXd multiply(const Eigen::MatrixXd& x) const;
 
@@ -109,6 +115,8 @@ class BlockMatrix {
  private:
   using Column = Eigen::Matrix<double, W, 1>;
 
+  // Inverses of the diagonal blocks, by rank; a multiple of the identity where one is indefinite.
+  std::vector<Block> inverse_diagonal() const;
   int width(int rank) const { return row_[rank + 1] - row_[rank]; }
   // Calls body(column, first row of the caller, first row in the order of elimination, rows).
   template <class Body>

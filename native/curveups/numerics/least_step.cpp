@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/numerics/least_step.hpp"
 
-#include <cblas.h>
-
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
@@ -12,7 +10,11 @@
 #include "curveups/core/errors.hpp"
 #include "curveups/numerics/block_matrix.hpp"
 #include "curveups/numerics/cone_method.hpp"
-#include "curveups/numerics/one_thread.hpp"
+
+// NOLINTNEXTLINE(readability-identifier-naming): the name of BLAS.
+extern "C" void dsyrk_(const char* half, const char* side, const int* size, const int* rank,
+                       const double* alpha, const double* a, const int* a_stride,
+                       const double* beta, double* c, const int* c_stride);
 
 namespace curveups {
 namespace {
@@ -178,10 +180,9 @@ bool LeastStepMethod::factorize(const std::vector<ConeScaling>&) {
   if (dense_ > 0) {
     half_ = normal_.factor().solve_lower(dense_ranked_);
     Eigen::MatrixXd small = Eigen::MatrixXd((1 / weight_.tail(dense_)).matrix().asDiagonal());
-    const OneThread guard;
-    cblas_dsyrk(CblasColMajor, CblasLower, CblasTrans, static_cast<int>(dense_),
-                static_cast<int>(n_), 1, half_.data(), static_cast<int>(n_), 1, small.data(),
-                static_cast<int>(dense_));
+    const int size = static_cast<int>(dense_), rank = static_cast<int>(n_);
+    const double unit = 1;
+    dsyrk_("L", "T", &size, &rank, &unit, half_.data(), &rank, &unit, small.data(), &size);
     small_.compute(small);
   }
   return true;

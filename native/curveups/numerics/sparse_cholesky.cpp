@@ -10,7 +10,6 @@
 
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
-#include "curveups/numerics/one_thread.hpp"
 
 namespace curveups {
 namespace {
@@ -56,7 +55,6 @@ struct SparseCholesky::Impl {
   }
   void analyze(const SparseMatrix& lower) {
     checkpoint();
-    const OneThread guard;
     cholmod_free_factor(&factor, &common);
     cholmod_sparse a = view(lower);
     factor = cholmod_analyze(&a, &common);
@@ -73,7 +71,6 @@ struct SparseCholesky::Impl {
   }
   Eigen::MatrixXd solve(int system, const Eigen::MatrixXd& b) {
     checkpoint();
-    const OneThread guard;
     cholmod_dense rhs{};
     rhs.nrow = b.rows();
     rhs.ncol = b.cols();
@@ -131,7 +128,6 @@ std::vector<int> SparseCholesky::order() const {
 bool SparseCholesky::factorize(const SparseMatrix& lower) {
   checkpoint();
   if (!impl_->factor) analyze(lower);
-  const OneThread guard;
   if (!Eigen::Map<const Eigen::ArrayXd>(lower.valuePtr(), lower.nonZeros()).isFinite().all()) {
     return false;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Sparse Cholesky factorization of a symmetric positive definite matrix whose pattern stays while
-// its values change: CHOLMOD, supernodal, on one BLAS thread. The only file that sees CHOLMOD.
+// its values change: CHOLMOD, supernodal, on one thread. The only file that sees CHOLMOD.
 #pragma once
 
 #include <Eigen/Core>

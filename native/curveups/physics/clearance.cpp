@@ -18,6 +18,26 @@ void take_nearer(double distance, int tile, MembraneClearance& best) {
   if (distance < best.distance + as_near) best = {std::min(distance, best.distance), tile};
 }
 
+struct NearTriangle {
+  std::array<Vec3, 3> corner;  // in the tile's frame
+  double bound;                // distance or minus depth at least; below 0 where they may overlap
+};
+
+// Signed distance of the lowest corner to a face's plane.
+double height(const BodyFace& face, const std::array<Vec3, 3>& corner) {
+  return std::min({face.plane.distance(corner[0]), face.plane.distance(corner[1]),
+                   face.plane.distance(corner[2])});
+}
+
+// Distance of a face's plane that has the triangle outside; where there is none, minus the depth of
+// the lowest corner below `front`.
+double least_distance(const ConvexBody& body, const BodyFace& front,
+                      const std::array<Vec3, 3>& corner) {
+  double outside = 0;
+  for (const BodyFace& face : body.faces) outside = std::max(outside, height(face, corner));
+  return outside > 0 ? outside : std::min(0.0, height(front, corner));
+}
+
 ConvexBody flat_body(const std::array<Vec3, 3>& t) {
   const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
   const double offset = normal.dot(t[0]);
@@ -59,17 +79,21 @@ std::vector<MembraneClearance> patch_clearances(const DesignGeometry& geometry,
       const auto face = std::find_if(body.faces.begin(), body.faces.end(),
                                      [&](const BodyFace& f) { return f.tag == tag; });
       if (face == body.faces.end()) continue;
+      std::vector<NearTriangle> near;
       for (std::size_t t : triangles[p]) {
         std::array<Vec3, 3> corner;
-        double lowest = std::numeric_limits<double>::infinity();
         for (int c = 0; c < 3; ++c) {
           corner[c] = tiles.frame[tile].to_own(m.state.x.row(m.mesh.triangles[t][c]).transpose());
-          lowest = std::min(lowest, face->plane.distance(corner[c]));
         }
-        // The body lies behind its face: nothing is nearer than this.
-        if (lowest >= best.distance + as_near) continue;
-        const ConvexBody triangle = flat_body(corner);
-        const double depth = lowest < 0 ? depth_in_body(triangle, body, *face) : 0;
+        const double bound = least_distance(body, *face, corner);
+        if (bound < best.distance + as_near) near.push_back({corner, bound});
+      }
+      std::sort(near.begin(), near.end(),
+                [](const NearTriangle& a, const NearTriangle& b) { return a.bound < b.bound; });
+      for (const NearTriangle& next : near) {
+        if (next.bound >= best.distance + as_near) break;
+        const ConvexBody triangle = flat_body(next.corner);
+        const double depth = next.bound < 0 ? depth_in_body(triangle, body, *face) : 0;
         take_nearer(depth > 0 ? -depth : distance(body, triangle), tile, best);
       }
     }

@@ -39,6 +39,7 @@ void DesignForces::move(const DesignGeometry& geometry, const FlatPoses& poses, 
     equilibrium.set_rest(m.flat(), parameters_.tau);
     move_pins(m, equilibrium, actuated_pin_corners(geometry.tiles, q, side, parameters_.H_pin),
               sink);
+    if (!m.state.solve.stopped() && !equilibrium.factorize(m.state.x)) throw no_equilibrium(side);
   };
   // The progress sink is called from one thread only; the other membrane ends by itself.
   parallel_tasks({[&] { solve(Side::front, progress); }, [&] { solve(Side::back, {}); }});

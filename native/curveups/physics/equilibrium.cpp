@@ -11,7 +11,9 @@ namespace curveups {
 
 namespace {
 constexpr int max_iterations = 200;
-constexpr double tolerance = 1e-11;  // residual
+constexpr double tolerance = 1e-10;  // residual
+// Accuracy of a Newton step: this at most, and the residual, for quadratic convergence.
+constexpr double largest_forcing = 0.1;
 }  // namespace
 
 void MembraneEquilibrium::measure(MembraneState& state) const {
@@ -30,17 +32,19 @@ void MembraneEquilibrium::measure(MembraneState& state) const {
   if (state.solve.residual <= tolerance) state.solve.status = SolveStatus::converged;
 }
 
-bool MembraneEquilibrium::factorize(const Points3& x, Points3& gradient) {
+bool MembraneEquilibrium::factorize(const Points3& x) {
+  if (energy_.free_count() == 0) return true;
+  Points3 gradient;
   energy_.gradient(x, gradient, &hessian_);
-  if (hessian_.factorize()) return true;
-  // Only the plain density can be indefinite; its projection is not, but for rounding.
-  energy_.gradient(x, gradient, &hessian_, true);
-  return hessian_.factorize(0, 1e-8 * hessian_.mean_diagonal());
+  return hessian_.factorize();
 }
 
-bool MembraneEquilibrium::direction(const Points3& gradient, Points3& out) const {
-  const Eigen::MatrixXd step =
-      hessian_.solve(-Eigen::Map<const Eigen::VectorXd>(gradient.data(), gradient.size()));
+bool MembraneEquilibrium::direction(const MembraneState& state, Points3& out) {
+  Points3 gradient;
+  energy_.gradient(state.x, gradient, &hessian_);
+  const Eigen::VectorXd step = hessian_.solve_iteratively(
+      -Eigen::Map<const Eigen::VectorXd>(gradient.data(), gradient.size()),
+      std::min(largest_forcing, state.solve.residual));
   out = Eigen::Map<const Points3>(step.data(), gradient.rows(), 3);
   return step.allFinite();
 }
@@ -62,7 +66,7 @@ MembraneState MembraneEquilibrium::solve(const Points3& start, const Progress& p
       state.solve.status = SolveStatus::stopped;
       break;
     }
-    if (!factorize(state.x, gradient) || !direction(state.gradient, step)) break;
+    if (!direction(state, step)) break;
     ++state.solve.iterations;
     const double slope = step.cwiseProduct(state.gradient).sum();
     const double rounding = 1e-13 * std::abs(state.energy);

@@ -19,26 +19,24 @@ struct MembraneState {
   SolveReport solve;  // residual: largest force on a free vertex over the mean on a glued one
 };
 
-// Owns the Hessian's factorization: after solve() it is that of the last step.
+// Newton steps by conjugate gradients: most free vertices have a pin within two or three edges, so
+// that a dozen iterations do.
 class MembraneEquilibrium {
  public:
   MembraneEquilibrium(const MembraneMesh& mesh, const Points2& flat, double tau,
                       const MembraneMaterial& material)
       : energy_(mesh, flat, tau, material), hessian_(energy_.pattern()) {}
 
-  // Newton's method with a backtracking line search, to a residual of 1e-11. start: all vertices,
-  // glued ones in their final places. Stops early when progress asks to. Throws SolverFailure where
-  // the start has a triangle without area that the density can't bear.
+  // Truncated Newton method with a backtracking line search, to a residual of 1e-10. start: all
+  // vertices, glued ones in their final places. Stops early when progress asks to. Throws
+  // SolverFailure where the start has a triangle without area that the density can't bear.
   MembraneState solve(const Points3& start, const Progress& progress = {},
                       const std::string& what = "membrane");
 
   // Replace the rest shape of the mesh (MembraneEnergy::set_rest).
   void set_rest(const Points2& flat, double tau) { energy_.set_rest(flat, tau); }
   // Factorizes the Hessian at x, for respond(). False where it is not finite.
-  bool factorize(const Points3& x) {
-    Points3 gradient;
-    return energy_.free_count() == 0 || factorize(x, gradient);
-  }
+  bool factorize(const Points3& x);
   // Response of free vertices to displacements of glued ones, by the last factorization: fills in
   // the free rows of each displacement. x: the equilibrium.
   void respond(const Points3& x, std::vector<Points3>& displacements) const;
@@ -47,9 +45,8 @@ class MembraneEquilibrium {
 
  private:
   void measure(MembraneState& state) const;
-  bool factorize(const Points3& x, Points3& gradient);
   // Newton direction; false where it is not finite.
-  bool direction(const Points3& gradient, Points3& out) const;
+  bool direction(const MembraneState& state, Points3& out);
 
   MembraneEnergy energy_;
   BlockMatrix<3> hessian_;

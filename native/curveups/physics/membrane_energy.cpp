@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/physics/membrane_energy.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -11,12 +10,6 @@
 
 namespace curveups {
 namespace {
-
-Matrix6 positive_part(const Matrix6& H) {
-  const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(H);
-  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() *
-         eigen.eigenvectors().transpose();
-}
 
 // b_v with F = sum of x_v b_v^T over the three vertices.
 std::array<Eigen::Vector2d, 3> shape_gradients(const Eigen::Matrix2d& inverse) {
@@ -155,24 +148,23 @@ double MembraneEnergy::value(const Points3& x) const {
          });
 }
 
-double MembraneEnergy::gradient(const Points3& x, Points3& gradient, BlockMatrix<3>* hessian,
-                                bool projected) const {
+double MembraneEnergy::gradient(const Points3& x, Points3& gradient,
+                                BlockMatrix<3>* hessian) const {
   gradient.setZero(x.rows(), 3);
   if (hessian) hessian->set_zero();
-  return add_derivatives(x, gradient, hessian, 0, projected);
+  return derivatives(x, gradient, hessian, 0);
 }
 
-double MembraneEnergy::add_derivatives(const Points3& x, Points3& gradient, BlockMatrix<3>* hessian,
-                                       int first, bool projected) const {
+double MembraneEnergy::derivatives(const Points3& x, Points3& gradient, BlockMatrix<3>* hessian,
+                                   int first) const {
   auto make = [&](int index, TriangleDerivatives& out) {
     const Element& e = elements_[index];
-    Density d = density(deformation(e, x), hessian != nullptr);
+    const Density d = density(deformation(e, x), hessian != nullptr);
     const double factor = stiffness_ * e.weight;
     out.value = e.weight * d.value;
     const std::array<Eigen::Vector2d, 3> b = shape_gradients(e.inverse);
     for (int k = 0; k < 3; ++k) out.pull[k] = pull(factor, b[k], d.gradient);
     if (!hessian) return;
-    if (projected) d.hessian = positive_part(d.hessian);
     for (int k = 0; k < 3; ++k) {
       if (is_free(e.vertex[k])) out.own[k] = factor * vertex_block(d.hessian, b[k]);
       const BlockSlot& slot = hessian->pattern().slot(first + 3 * index + k);

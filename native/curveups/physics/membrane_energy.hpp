@@ -44,13 +44,9 @@ class MembraneEnergy : public Term<3> {
   // The gradient has a row for every mesh vertex, glued ones too, where it is minus the pull on the
   // pin.
   double derivatives(const Points3& x, Points3& gradient, BlockMatrix<3>* hessian,
-                     int first) const override {
-    return add_derivatives(x, gradient, hessian, first, false);
-  }
-  // Set the gradient and, unless null, the Hessian (of this pattern). `projected`: with the nearest
-  // positive semidefinite matrix of each triangle.
-  double gradient(const Points3& x, Points3& gradient, BlockMatrix<3>* hessian = nullptr,
-                  bool projected = false) const;
+                     int first) const override;
+  // Set the gradient and, unless null, the Hessian (of this pattern).
+  double gradient(const Points3& x, Points3& gradient, BlockMatrix<3>* hessian = nullptr) const;
 
   std::vector<TriangleStretch> stretches(const Points3& x) const;
   // Replace the rest shape. Throws InvalidInput where a triangle turns over.
@@ -70,8 +66,6 @@ class MembraneEnergy : public Term<3> {
   Gradient32 deformation(const Element& element, const Points3& x) const;
   Density density(const Gradient32& F, bool second) const;
   int element_count() const { return static_cast<int>(elements_.size()); }
-  double add_derivatives(const Points3& x, Points3& gradient, BlockMatrix<3>* hessian, int first,
-                         bool projected) const;
 
   std::vector<Element> elements_;
   std::shared_ptr<const BlockPattern> pattern_;

@@ -150,22 +150,26 @@ Repair::Judged Repair::judge_fresh(RepairResult& result) {
   fresh_ = given && solved_ ? solved_
                             : std::make_shared<const SolvedDesign>(
                                   solve_design(here_.geometry(), design_here(), progress_));
-  touches_ = find_touches(here_.geometry(), *fresh_);
+  VerificationReport verification = verify_solved(here_.geometry(), fresh_, progress_, {true});
+  const double floor = verification.complete ? verification.unilateral.largest_floor : no_floor;
   Judged out{here_,
-             tracked_.judge_fresh(here_, *fresh_),
+             tracked_.judge_fresh(here_, *fresh_, floor),
              contact_corners(here_.geometry(), parameters_),
              {},
-             cuts_among(touches_)};
+             {}};
+  if (verification.complete && is_clear(verification.physics.clearance_mm) &&
+      out.judgement.valid()) {
+    result.verification = std::move(verification);
+    return out;
+  }
+  touches_ = find_touches(here_.geometry(), *fresh_);
+  out.cuts = cuts_among(touches_);
   for (const Touch& touch : touches_) {
     out.judgement.depth = std::max(out.judgement.depth, -touch.clearance);
   }
-  if (out.judgement.valid()) {
-    result.verification = verify_solved(here_.geometry(), fresh_, progress_);
-  } else {
-    tracked_.follow(here_, *fresh_, out.judgement);
-    out.critical = tracked_.critical_pairs();
-    fresh_.reset();
-  }
+  tracked_.follow(here_, *fresh_, out.judgement);
+  out.critical = tracked_.critical_pairs();
+  fresh_.reset();
   return out;
 }
 

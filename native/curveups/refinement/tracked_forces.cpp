@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/refinement/tracked_forces.hpp"
 
+#include <cmath>
+
 namespace curveups {
 
 TrackedForces::TrackedForces(const Parameters& parameters, const Progress& progress)
     : parameters_(parameters), progress_(progress), f_min_ratio_(parameters.f_min_ratio) {}
 
-Judgement TrackedForces::judge_fresh(const Iterate& place, const SolvedDesign& fresh) {
+Judgement TrackedForces::judge_fresh(const Iterate& place, const SolvedDesign& fresh,
+                                     double floor) {
   f_min_ratio_ = fresh.f_min_ratio;
-  const Eigen::VectorXd normal = fresh.forces.force.col(0);
-  Judgement now = curveups::judge(normal, no_floor, f_min_ratio_);
-  if (now.weak > 0 && !active_) return now;
-  BalanceSystem system = make_balance_system(place.geometry(), parameters_);
-  const double floor = find_floor(fresh, system, progress_).largest_floor;
-  now = curveups::judge(normal, floor, f_min_ratio_);
+  if (std::isnan(floor) && active_) {
+    BalanceSystem system = make_balance_system(place.geometry(), parameters_);
+    floor = find_floor(fresh, system, progress_).largest_floor;
+  }
+  Judgement now = curveups::judge(fresh.forces.force.col(0), floor, f_min_ratio_);
   active_ = active_ || now.is_short_of_floor();
   return now;
 }

@@ -17,9 +17,10 @@ class TrackedForces {
  public:
   TrackedForces(const Parameters& parameters, const Progress& progress);
 
-  // Judges a place on a fresh mesh. The largest floor is computed where no point is weak, and once
-  // it has failed. Throws InfeasibleDesign where the membranes don't press the tiles together.
-  Judgement judge_fresh(const Iterate& place, const SolvedDesign& fresh);
+  // Judges a place on a fresh mesh. floor: the largest one, N, or no_floor; it is computed then
+  // where it was too small before. Throws InfeasibleDesign where the membranes don't press the
+  // tiles together.
+  Judgement judge_fresh(const Iterate& place, const SolvedDesign& fresh, double floor);
   // Follows the tiles from here on. judged: by judge_fresh.
   void follow(const Iterate& place, const SolvedDesign& fresh, const Judgement& judged);
 

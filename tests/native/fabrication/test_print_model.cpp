@@ -4,16 +4,13 @@
 #include <Eigen/Geometry>
 #include <map>
 #include <set>
-#include <thread>
 
 #include "curveups/bodies/clearance.hpp"
 #include "curveups/bodies/convex_distance.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/design/print_constants.hpp"
 #include "curveups/fabrication/body_mesh.hpp"
-#include "curveups/fabrication/occ_solids.hpp"
 #include "curveups/fabrication/print_model.hpp"
-#include "curveups/fabrication/print_solids.hpp"
 #include "curveups/fabrication/supports.hpp"
 #include "curveups/geometry/convex_polygon.hpp"
 #include "support/designs.hpp"
@@ -59,34 +56,6 @@ INSTANTIATE_TEST_SUITE_P(FlatDomeSaddleBowl, Shapes,
                                            std::array<double, 2>{0.015, 0.015},
                                            std::array<double, 2>{0.015, -0.015},
                                            std::array<double, 2>{-0.015, -0.015}));
-
-TEST(Solids, AreBuiltOnceWhoeverAsks) {
-  const PrintModel model = make_print_model(test::sample_design());
-  std::array<std::shared_ptr<const TopoDS_Shape>, 3> found;
-  std::vector<std::thread> threads;
-  for (auto& one : found) {
-    threads.emplace_back([&] { one = solids_of(model, "print"); });
-  }
-  for (std::thread& thread : threads) thread.join();
-  EXPECT_NE(found[0], nullptr);
-  EXPECT_EQ(found[0], found[1]);
-  EXPECT_EQ(found[0], found[2]);
-}
-
-TEST(Solids, WhatOpenCascadeRefusesIsATypedErrorThatNamesTheBody) {
-  const PrintModel model = make_print_model(test::sample_design());
-  PrintBody body = *model.bodies("tiles").front();
-  const PlanarFace& face = body.faces.front();
-  body.points[face.outer.points[1]] = body.points[face.outer.points[0]];  // an edge of no length
-  try {
-    make_solids({&body});
-    FAIL() << "a solid with an edge of no length";
-  } catch (const SolverFailure& error) {
-    EXPECT_NE(std::string(error.what()).find("OpenCASCADE failed building " + body.name),
-              std::string::npos)
-        << error.what();
-  }
-}
 
 TEST(Bumps, InterleaveAndTouchTheFacingWallOnly) {
   const PrintModel model = make_print_model(test::sample_design());
@@ -377,14 +346,12 @@ TEST(PrintModel, NamesTilesWhosePinsTurnInsideOut) {
 
 TEST(PrintModelOf, SomeTilesAreTheseAtTheirPlaces) {
   const PrintModel all = make_print_model(test::sample_design());
-  solids_of(all, "tiles");  // solids of all tiles are not reused for some
   const PrintModel some = only_tiles(all, {7, 2, 7});
   ASSERT_EQ(some.bodies("print").size(), 2u);
   EXPECT_EQ(some.tiles[0].name, "T00003");
   EXPECT_EQ(some.tiles[1].points, all.tiles[7].points);
   EXPECT_NEAR(some.volume("print"), volume(all.tiles[2]) + volume(all.tiles[7]), 1e-9);
   EXPECT_LT((some.box.high - some.box.low).norm(), (all.box.high - all.box.low).norm());
-  EXPECT_NE(solids_of(some, "tiles"), solids_of(all, "tiles"));
 }
 
 }  // namespace

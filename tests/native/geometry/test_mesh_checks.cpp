@@ -85,6 +85,10 @@ TEST(MeshChecks, NoManifold) {
   bow.F << 0, 1, 2, 0, 3, 4;
   EXPECT_EQ(kinds(bow), Kinds{"boundary-touches-itself"});
   EXPECT_EQ(rows(check_mesh(bow, 7, false)[0], "vertices"), std::vector<int>{0});
+  const CleanMesh parted = clean_mesh(bow);
+  EXPECT_EQ(kinds(parted.mesh), Kinds{"components"});
+  EXPECT_EQ(parted.notes, std::vector<std::string>(1, "1 corners taken apart where parts touched"));
+  EXPECT_EQ(clean_mesh(parted.mesh).mesh.V, parted.mesh.V);
 }
 
 TEST(MeshChecks, ClosedNeedsACut) {
@@ -277,7 +281,7 @@ TEST(CleanMesh, KeepsTheFirstOfRepeatedFaces) {
   mesh.V << 0, 0, 0, 40, 0, 0, 0, 40, 0, 40, 40, 0;
   mesh.F.resize(5, 3);
   mesh.F << 0, 1, 2, 3, 2, 1, 2, 1, 0, 1, 2, 3, 1, 2, 0;
-  EXPECT_EQ(repeated_faces(mesh.F, 4), (std::vector<int>{2, 3, 4}));
+  EXPECT_EQ(repeated_faces(mesh.F), (std::vector<int>{2, 3, 4}));
   EXPECT_EQ(clean_mesh(mesh).mesh.F, mesh.F.topRows(2));
 }
 

@@ -63,6 +63,19 @@ void expect_dense_solution(int narrow = W) {
   }
   EXPECT_LT((matrix.multiply(b) - dense * b).norm(), 1e-12 * b.norm() * dense.norm());
   EXPECT_FALSE(matrix.factorize(0, -100));
+  for (int k = 0; k < count; ++k) {
+    for (int c = 0; c < unknowns[k] && k != held; ++c) matrix.diagonal(k, c) += 2;
+  }
+  dense.diagonal().array() += 2;
+  for (double tolerance : {0.1, 1e-10}) {
+    const Eigen::VectorXd x = matrix.solve_iteratively(b.col(0), tolerance);
+    EXPECT_LE((dense * x - b.col(0)).norm(), 1.001 * tolerance * b.col(0).norm());
+  }
+  matrix.set_zero();
+  for (int k = 0; k < count; ++k) {
+    for (int c = 0; c < unknowns[k] && k != held; ++c) matrix.diagonal(k, c) = k % 2 ? 1 : -1;
+  }
+  EXPECT_GT(matrix.solve_iteratively(b.col(0), 1e-10).dot(b.col(0)), 0);  // a descent direction
 }
 
 TEST(BlockMatrix, IsTheSumOfItsElementsInTheCallersNumbering) {

@@ -25,8 +25,8 @@ void expect_equilibrium(const VerificationReport& r) {
     EXPECT_LE(r.physics.coarse_iterations[side], 20);
     EXPECT_LE(r.physics.fine_iterations[side], 20);
   }
-  EXPECT_LT(r.physics.force_balance, 1e-9);
-  EXPECT_LT(r.physics.torque_balance, 1e-9);
+  EXPECT_LT(r.physics.force_balance, 1e-6);
+  EXPECT_LT(r.physics.torque_balance, 1e-6);
   EXPECT_LT(r.contact_forces.imbalance, 1e-9);
 }
 
@@ -93,7 +93,7 @@ TEST(SpecialDesign, ThePlainEnergyGivesTheSameForcesWhereNothingWrinkles) {
   design.parameters.membrane_model = "neo-hookean";
   const VerificationReport plain = verify_design(design, {});
   EXPECT_TRUE(plain.physics.converged);
-  EXPECT_LT(plain.physics.force_balance, 1e-9);
+  EXPECT_LT(plain.physics.force_balance, 1e-6);
   EXPECT_LT(std::abs(plain.contact_forces.normal_mean / relaxed.contact_forces.normal_mean - 1),
             relaxed.physics.wrinkled_fraction + 2e-3);
 }

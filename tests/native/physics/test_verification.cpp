@@ -28,8 +28,8 @@ TEST(Verify, ADomeBalancesAndPushesEverywhere) {
   EXPECT_TRUE(r.physics.converged);
   EXPECT_LE(r.physics.fine_iterations[0], 20);
   EXPECT_LE(r.physics.fine_iterations[1], 20);
-  EXPECT_LT(r.physics.force_balance, 1e-9);
-  EXPECT_LT(r.physics.torque_balance, 1e-9);
+  EXPECT_LT(r.physics.force_balance, 1e-6);
+  EXPECT_LT(r.physics.torque_balance, 1e-6);
   EXPECT_LT(r.contact_forces.imbalance, 1e-9);
   EXPECT_GT(r.contact_forces.normal_mean, 0);
   EXPECT_EQ(r.unilateral.status, SolveStatus::converged);
@@ -62,7 +62,7 @@ TEST(Verify, ALooseLayoutWithWrinklesConverges) {
   EXPECT_TRUE(r.physics.converged);
   EXPECT_LE(r.physics.fine_iterations[0], 20);
   EXPECT_LE(r.physics.fine_iterations[1], 20);
-  EXPECT_LT(r.physics.force_balance, 1e-9);
+  EXPECT_LT(r.physics.force_balance, 1e-6);
 }
 
 TEST(Verify, WithoutStretchTheMembranesGoSlackAndNothingIsValid) {
@@ -86,7 +86,7 @@ TEST(Verify, CutsPiecesAndLonelyTiles) {
   }
   const VerificationReport r = verify_design(design, {});
   EXPECT_TRUE(r.physics.converged);
-  EXPECT_LT(r.physics.force_balance, 1e-9);
+  EXPECT_LT(r.physics.force_balance, 1e-6);
   EXPECT_LT(r.contact_forces.imbalance, 1e-9);
   EXPECT_EQ(r.elastic.row(lonely).norm(), 0);
   EXPECT_TRUE(std::isnan(r.tile_normal_min(lonely)));

@@ -6,24 +6,18 @@
 
 #include <map>
 
+#include "curveups/bodies/body_checks.hpp"
 #include "curveups/bodies/clearance.hpp"
 #include "curveups/fabrication/body_mesh.hpp"
-#include "curveups/fabrication/occ_solids.hpp"
-#include "curveups/fabrication/print_solids.hpp"
+#include "curveups/fabrication/print_model.hpp"
 
 namespace curveups::test {
 
-inline std::vector<const PrintBody*> pointers(const std::vector<PrintBody>& bodies) {
-  std::vector<const PrintBody*> out;
-  for (const PrintBody& body : bodies) out.push_back(&body);
-  return out;
-}
-
 inline std::string unsound(const std::vector<PrintBody>& bodies) {
-  const auto list = pointers(bodies);
   std::string text;
-  for (const UnsoundSolid& u : check_solids(list, make_solids(list))) {
-    text += u.body + " " + u.reason + "; ";
+  for (const PrintBody& body : bodies) {
+    const std::string reason = unsoundness(body);
+    if (!reason.empty()) text += body.name + " " + reason + "; ";
   }
   return text;
 }

@@ -106,13 +106,14 @@ def target_fields(V: np.ndarray, F: np.ndarray, cuts: np.ndarray, parameters: An
     Stretch has no limit: it is that of the start, scaled so that the median tile fits, and half of all tiles
     begin below the stretch that leaves their gaps."""
     figures = cache(lambda: native.target_figures(V, F, cuts, parameters))
-    limits: dict[str, Any] = {"limit": 0.0} if judge else {}
+    limits: dict[str, Any] = {"limit": _least_margin(parameters)} if judge else {}
     return [
         Field("Dihedral angle", "deg", CONTACT, lambda: _by_contact(figures(), "dihedral", contacts),
               signed=True, shape=(len(contacts),)),
         Field("Pin area margin", "mm^2", SIDE,
               lambda: figures().pin_area - parameters.get("A_pin_min"), "low",
-              mark="diamond", problem="tiles with less space for pins than APinMin, before Solve makes space",
+              mark="diamond",
+              problem="tiles with less space for pins than APinFloor, before Solve makes space",
               shape=(len(F), 2), **limits),
         Field("Conformal stretch", "", TILE, lambda: figures().stretch, "low", shape=(len(F),))]
 
@@ -121,16 +122,21 @@ def check_fields(check: Any, parameters: Any, contacts: np.ndarray) -> list[Fiel
     """Fields of a check (stages/feasibility.py): margins, after smoothing has made room for pins, and the
     number of obstacles of each tile."""
     count = len(check.F)
-    floor = parameters.get("A_pin_floor") - parameters.get("A_pin_min")
     tiles = [obstacle.tile for obstacle in check.blocked]
     return [
         Field("Dihedral margin", "deg", CONTACT,
               lambda: _by_contact(check, "dihedral_margin", contacts), "low", 0.0, shape=(len(contacts),)),
-        Field("Pin area margin", "mm^2", SIDE, lambda: check.pin_area_margin, "low", floor, shape=(count, 2)),
+        Field("Pin area margin", "mm^2", SIDE, lambda: check.pin_area_margin, "low",
+              _least_margin(parameters), shape=(count, 2)),
         Field("Membrane clearance", "mm", SIDE, lambda: check.membrane_clearance, "low",
               SAG * parameters.get("H_pin"), shape=(count, 2)),
         Field("Obstacles", "", TILE, lambda: np.bincount(tiles, minlength=count), "high", 0.5, "cross",
               problem="tiles that can't be made or are likely to fail", shape=(count,))]
+
+
+def _least_margin(parameters: Any) -> float:
+    """Margin over A_pin_min of the smallest pins of a valid design, mm2."""
+    return float(parameters.get("A_pin_floor") - parameters.get("A_pin_min"))
 
 
 def design_fields(design: Any, contacts: np.ndarray) -> list[Field]:
@@ -140,8 +146,8 @@ def design_fields(design: Any, contacts: np.ndarray) -> list[Field]:
     return [
         Field("Gap", "mm", CONTACT, lambda: _by_contact(figures(), "gap", contacts), "low", get("d_gap_min"),
               "square", problem="gaps below DGapMin", part="Layout", shape=(len(contacts),)),
-        Field("Pin area", "mm^2", SIDE, lambda: figures().pin_area, "low", get("A_pin_min"), "diamond",
-              problem="tiles with pins below APinMin", part="Layout", shape=(len(design.F), 2))]
+        Field("Pin area", "mm^2", SIDE, lambda: figures().pin_area, "low", get("A_pin_floor"), "diamond",
+              problem="tiles with pins below APinFloor", part="Layout", shape=(len(design.F), 2))]
 
 
 def deviation_field(V: np.ndarray, F: np.ndarray, part: str, source_V: np.ndarray,

@@ -1,29 +1,28 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The legend in the 3D view: a bar of colours, and the meaning of marks. Coin draws it in the view's own
-pixels, so that saved pictures have it too."""
+"""The legend in the 3D view: a bar of colours, and the meaning of marks. Qt paints it and Coin shows the
+image, so that saved pictures have it too."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
 from textwrap import wrap
-from typing import Any, Mapping, Optional, Sequence
+from typing import Any, Mapping, Optional
 
 import FreeCADGui
 import numpy as np
 from pivy import coin
 
-from ..qt import ink_and_paper
+from ..qt import QtCore, QtGui, ink_and_paper
 from ..units import short, user_unit
 from . import colours
-from .nodes import add, coloured, fill, markers, separator, unlit, unpickable
+from .picture import add, separator, unpickable
 
 LEFT, WIDTH, HEIGHT = 30, 16, 230   # of the bar, px
 BEYOND = 0.12                       # share of the bar that lies beyond either end of the range
 _MARGIN = 16                        # of the paper, left of the bar, px
 _SIZE, _LINE = 13, 18               # height of letters, and of a line, px
-_VIEW = 1000                        # side of the view in which a text is measured, px
 _LETTERS, _STEPS = 30, 48           # letters a line, colours of the bar
+_SIGNS = {"cross": "✕", "triangle": "▲", "square": "■", "diamond": "◇"}  # by mark
 
 
 @dataclass(frozen=True)
@@ -49,12 +48,9 @@ class Content:
 
     def lines(self) -> list[tuple[str, str]]:
         """Lines of text below the bar, with the mark before each."""
-        lines = []
-        for mark, text in (*(("", note) for note in self.notes), *self.marks):
-            for piece in wrap(text, _LETTERS):
-                lines.append((mark, piece))
-                mark = ""
-        return lines
+        texts = (*(("", note) for note in self.notes), *self.marks)
+        return [("" if row else mark, line) for mark, text in texts
+                for row, line in enumerate(wrap(text, _LETTERS))]
 
 
 class Legend:
@@ -64,15 +60,14 @@ class Legend:
         self.content: Optional[Content] = None
         self.left, self.width = float(LEFT), 0.0  # of the bar, and of the whole, px
         self.heading = ""  # name of the design, if there are several
-        self._size = (0, 0)  # of the view, px
-        self._camera, self._place = coin.SoOrthographicCamera(), coin.SoTranslation()
-        self._camera.viewportMapping = coin.SoCamera.LEAVE_ALONE
-        self._camera.nearDistance, self._camera.farDistance = 0.0, 10.0
-        self._body = coin.SoSeparator()
-        fit, guard, drawn = coin.SoCallback(), coin.SoCallback(), coin.SoAnnotation()
-        fit.setCallback(self._fit)
+        camera, guard, drawn, self._image = (
+            coin.SoOrthographicCamera(), coin.SoCallback(), coin.SoAnnotation(), coin.SoImage())
+        # The image begins at the left edge of the view, half-way up.
+        camera.viewportMapping, camera.height = coin.SoCamera.LEAVE_ALONE, 2.0
+        camera.position, camera.nearDistance, camera.farDistance = (1.0, 0.0, 5.0), 0.0, 10.0
+        self._image.vertAlignment = coin.SoImage.HALF
         guard.setCallback(self._guard)
-        add(drawn, unpickable(), coin.SoResetTransform(), fit, self._camera, unlit(), self._place, self._body)
+        add(drawn, unpickable(), coin.SoResetTransform(), camera, self._image)
         # Not part of the scene's extent: "fit all" and clipping planes would count pixels as mm.
         self._only_drawn = coin.SoSwitch()
         self._only_drawn.addChild(drawn)
@@ -89,72 +84,73 @@ class Legend:
         self._only_drawn.whichChild = coin.SO_SWITCH_ALL if drawing else coin.SO_SWITCH_NONE
         self._only_drawn.whichChild.enableNotify(True)
 
-    def _fit(self, data: Any, action: Any) -> None:
-        """Make a unit a pixel of a usual screen, and put the bar at the left, half-way up."""
-        if not action.getTypeId().isDerivedFrom(coin.SoGLRenderAction.getClassTypeId()):
-            return
-        width, height = coin.SoViewportRegionElement.get(action.getState()).getViewportSizePixels()
-        if (width, height) == self._size or not height:
-            return
-        self._size = (width, height)
-        width, height = width / scale(), height / scale()
-        camera, place = self._camera, self._place
-        for field in (camera.position, camera.height, camera.aspectRatio, place.translation):
-            field.enableNotify(False)  # the view is being drawn, and would be again
-        camera.position = (width / 2, height / 2, 5)
-        camera.height, camera.aspectRatio = height, width / height
-        place.translation = (self.left, max(60.0, (height - HEIGHT) / 2), 0)
-        for field in (camera.position, camera.height, camera.aspectRatio, place.translation):
-            field.enableNotify(True)
-
     def put(self, left: float, heading: str) -> None:
         """Move it beside others. left: of the bar, px."""
-        if heading != self.heading:
-            self.heading = heading
+        if (left, heading) != (self.left, self.heading):
+            self.left, self.heading = left, heading
             self.show(self.content)
-        if left != self.left:
-            self.left, self._size = left, (0, 0)
-            self.node.touch()
 
     def show(self, content: Optional[Content]) -> None:
         """Draw anew; None hides it."""
         self.content = content
         self.node.whichChild = coin.SO_SWITCH_NONE if content is None else coin.SO_SWITCH_ALL
-        self._body.removeAllChildren()
-        if content is None:
-            return
-        ink, paper = (colour.getRgbF()[:3] for colour in ink_and_paper())
-        lines = content.lines()
-        letters = max(len(text) for text in (content.title_line, self.heading, "0" * 10,
-                                             *(text for _, text in lines)))
-        right = letters * _letter(_SIZE * scale()) / scale() + 24
-        self.width = right + _MARGIN
-        bottom = -_LINE * len(lines) - 14
-        title = HEIGHT + 16 if content.has_bar else 6
-        top = title + 20 + (_LINE if self.heading else 0)
-        font = coin.SoFont()
-        font.size = _SIZE * scale()
-        add(self._body, _rectangle(-_MARGIN, bottom, right, top, paper, 0.2), font,
-            _text(content.title_line, -8, title, ink), _text(self.heading, -8, title + _LINE, ink))
-        if content.has_bar:
-            self._draw_bar(content, ink)
-        for row, (mark, text) in enumerate(lines, 1):
-            if mark:
-                self._body.addChild(markers(mark, colours.MARK, np.array([[-2, 4 - _LINE * row, 0.2]])))
-            self._body.addChild(_text(text, 12 if mark else -8, -_LINE * row, ink))
+        if content is not None:
+            image = self._painted(content)
+            rows = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), -1)
+            size = coin.SbVec2s(image.width(), image.height())
+            self._image.image.setValue(size, 4, rows[::-1].tobytes())  # Coin begins with the lowest row
 
-    def _draw_bar(self, content: Content, ink: Sequence[float]) -> None:
-        y = np.linspace(0, HEIGHT, _STEPS + 1)
-        shares = np.clip((y[:-1] + y[1:]) / (2 * HEIGHT) * (1 + 2 * BEYOND) - BEYOND, 0, 1)
+    def _painted(self, content: Content) -> Any:
+        """Image of the legend, transparent left of its paper."""
+        ink, paper = ink_and_paper()
+        paper = QtGui.QColor(paper)
+        paper.setAlphaF(0.8)
+        font, lines = QtGui.QFont(FreeCADGui.getMainWindow().font()), content.lines()
+        font.setPixelSize(_SIZE)
+        metrics = QtGui.QFontMetricsF(font)
+        self.width = _MARGIN + 24 + max(metrics.horizontalAdvance(text) for text in (
+            content.title_line, self.heading, "0" * 10, *(text for _, text in lines)))
+        top = 2 * _LINE if self.heading else _LINE  # of the first line below the titles
+        bar = HEIGHT + 18 if content.has_bar else 6
+        height = top + bar + _LINE * len(lines) + 14
+        image = QtGui.QImage(int(scale() * (self.left + self.width)), int(scale() * height),
+                             QtGui.QImage.Format_RGBA8888)
+        image.fill(QtCore.Qt.transparent)
+        painter = QtGui.QPainter(image)
+        painter.setRenderHint(QtGui.QPainter.TextAntialiasing)
+        painter.scale(scale(), scale())
+        painter.fillRect(QtCore.QRectF(self.left - _MARGIN, 0, self.width, height), paper)
+        painter.setFont(font)
+        painter.setPen(ink)
+        for row, text in enumerate(filter(None, (self.heading, content.title_line)), 1):
+            painter.drawText(QtCore.QPointF(self.left - 8, _LINE * row), text)
+        if content.has_bar:
+            self._paint_bar(painter, content, top + 12)
+        for row, (mark, text) in enumerate(lines, 1):
+            base = top + bar + _LINE * row
+            painter.drawText(QtCore.QPointF(self.left + (12 if mark else -8), base), text)
+            if mark:
+                painter.setPen(QtGui.QColor.fromRgbF(*colours.MARK))
+                painter.drawText(QtCore.QPointF(self.left - 8, base), _SIGNS[mark])
+                painter.setPen(ink)
+        painter.end()
+        return image
+
+    def _paint_bar(self, painter: Any, content: Content, top: float) -> None:
+        """Paint the bar, which begins at `top`, and its figures."""
+        y = np.linspace(HEIGHT, 0, _STEPS + 1)[1:]  # upper ends of the steps, from the lowest on
+        shares = (np.arange(_STEPS) + 0.5) / _STEPS * (1 + 2 * BEYOND) - BEYOND
         rgb = colours.sample(content.colour_map, shares)
-        for low, high, colour in zip(y, y[1:], colours.faded(rgb) if content.faded else rgb):
-            self._body.addChild(_rectangle(0, low, WIDTH, high, colour))
+        for above, colour in zip(y, colours.faded(rgb) if content.faded else rgb):
+            painter.fillRect(QtCore.QRectF(self.left, top + above, WIDTH, HEIGHT / _STEPS + 0.5),
+                             QtGui.QColor.fromRgbF(*map(float, colour)))
         factor, _ = user_unit(content.unit, max(abs(content.low), abs(content.high)))
         for share in np.linspace(0, 1, 5):
             value = content.low + share * (content.high - content.low)
-            place = HEIGHT * (share + BEYOND) / (1 + 2 * BEYOND)
-            add(self._body, _rectangle(WIDTH, place - 0.5, WIDTH + 4, place + 0.5, ink),
-                _text(short(value * factor), WIDTH + 8, place - 4, ink))
+            place = top + HEIGHT * (1 - (share + BEYOND) / (1 + 2 * BEYOND))
+            end = QtCore.QPointF(self.left + WIDTH, place)
+            painter.drawLine(end, end + QtCore.QPointF(4, 0))
+            painter.drawText(end + QtCore.QPointF(8, 4), short(value * factor))
 
 
 def arrange(legends: Mapping[str, Legend]) -> None:
@@ -169,38 +165,3 @@ def scale() -> float:
     """Pixels of the view to one of a usual screen: more on fine ones."""
     screen = FreeCADGui.getMainWindow().windowHandle().screen()
     return max(1.0, screen.devicePixelRatio() * screen.logicalDotsPerInchY() / 96)
-
-
-@lru_cache(maxsize=None)
-def _letter(size: float) -> float:
-    """Width of a letter, px: Coin draws all with the same, in one of the few sizes that it has."""
-
-    def width(letters: int) -> float:  # of a line, with a margin
-        camera, font, text = coin.SoOrthographicCamera(), coin.SoFont(), coin.SoText2()
-        camera.height, font.size, text.string = _VIEW, size, "0" * letters
-        scene = separator(camera, font, text)
-        scene.ref()
-        action = coin.SoGetBoundingBoxAction(coin.SbViewportRegion(_VIEW, _VIEW))
-        action.apply(scene)
-        scene.unref()
-        return float(action.getBoundingBox().getSize()[0])
-
-    return (width(20) - width(10)) / 10
-
-
-def _text(text: str, x: float, y: float, rgb: Sequence[float]) -> Any:
-    shift, line = coin.SoTranslation(), coin.SoText2()
-    shift.translation = (x, y, 0.2)
-    line.string = text
-    return separator(coloured(rgb), shift, line)
-
-
-def _rectangle(left: float, low: float, right: float, high: float, rgb: Sequence[float],
-               transparency: float = 0.0) -> Any:
-    material, points, face = coin.SoMaterial(), coin.SoCoordinate3(), coin.SoFaceSet()
-    material.diffuseColor, material.transparency = tuple(float(x) for x in rgb), transparency
-    depth = 0.0 if transparency else 0.1
-    fill(points.point, np.array([(left, low, depth), (right, low, depth), (right, high, depth),
-                                 (left, high, depth)]))
-    face.numVertices = 4
-    return separator(material, points, face)

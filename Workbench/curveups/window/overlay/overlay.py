@@ -7,6 +7,7 @@ Properties of the view provider keep the user's choices, so that they outlive se
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any, Callable, Iterable, Optional, Sequence
 
 import FreeCAD
@@ -21,7 +22,7 @@ from ..overlays import overlays
 from ..qt import QtCore, translate
 from ..run import LIVE, Task
 from ..units import short, user_unit
-from . import cameras, colours, picture
+from . import colours, picture, showing
 from .fields import MEMBRANE, Field
 from .legend import Content, Legend, arrange
 from .picture import Picture
@@ -51,11 +52,10 @@ class Overlay:
         self.selected: list[int] = []       # tiles
         self._hovered: list[int] = []
         self._shown: Optional[picture.State] = None  # of what the scene was made from
-        self._iterating = False
+        self._iterating = ""  # note on an iterate that is drawn
         self._waiting = False
         self.shows_target = False           # the target before any layout, though there may be one
         self.observers: list[Callable[[], None]] = []  # called when the picture has changed
-        self.folding: Any = None                       # animation of the tiles
         self.closed = False
         self._picture, self.legend = Picture(), Legend()
         self.node = self._picture.node
@@ -85,7 +85,7 @@ class Overlay:
 
     def show_design(self) -> None:
         """Draw the present design. Where that fails the last picture stays, and the legend says why."""
-        self._waiting = self._iterating = False
+        self._waiting, self._iterating = False, ""
         try:
             project = project_of(self.object)
             if project.latest("design") is not None and not self.shows_target:
@@ -109,15 +109,17 @@ class Overlay:
         self.shows_target = shown
         self.refresh()
 
-    def set_iterate(self, T: np.ndarray, q: np.ndarray, scene: Optional[Scene] = None) -> None:
+    def set_iterate(self, T: np.ndarray, q: np.ndarray, scene: Optional[Scene] = None,
+                    note: str = "") -> None:
         """Draw an iterate of a solver (M x 3 x 2 and M x 2 x 3, mm) until `show_design`. An iterate of other
-        tiles than those of the scene, by default the present one, is left out."""
+        tiles than those of the scene, by default the present one, is left out. note: for the legend."""
         scene = scene or self.scene
         if scene is None or len(T) != len(scene.F):
             return
         with translated(self.object.Label):
             scene = scene.moved(np.asarray(T, float), np.asarray(q, float))
-        self._shown, self._iterating = None, True
+        self._shown = None
+        self._iterating = note or translate("CurveUps_Overlay", "present state of the solver")
         self._take(scene)
 
     def show_scene(self, scene: Optional[Scene]) -> None:
@@ -134,7 +136,7 @@ class Overlay:
         elif name not in ("Label2", "Visibility", "ExpressionEngine", "Proxy"):
             # A run ends with results, or with a state that is no longer "running".
             if name == "Results" or name == "Status" and self.object.Status != "running":
-                self._iterating = False
+                self._iterating = ""
             self._tell()
             self.refresh()
 
@@ -240,7 +242,7 @@ class Overlay:
         self._view.Morph = min(1.0, max(0.0, float(t)))
         if self.scene is not None and self.scene.motion is not None:
             step = self.scene.motion.middle(self._picture.t) - self.scene.motion.middle(before)
-            cameras.shift(self.object.Document.Name, self.placement().Rotation.multVec(FreeCAD.Vector(*step)))
+            showing.shift(self.object.Document.Name, self.placement().Rotation.multVec(FreeCAD.Vector(*step)))
 
     def select_tiles(self, tiles: Iterable[int]) -> None:
         """Select tiles by number (0 is T00001) in FreeCAD, and no others of the design."""
@@ -251,7 +253,7 @@ class Overlay:
 
     def look_at(self, tiles: Sequence[int]) -> None:
         """Turn the camera to tiles, head on."""
-        cameras.look_at(self.object.Document.Name, self._picture.corners[list(tiles), :3], self.placement())
+        showing.look_at(self.object.Document.Name, self._picture.corners[list(tiles), :3], self.placement())
 
     # Selection.
 
@@ -260,14 +262,13 @@ class Overlay:
         return self._picture.tile_of(picked)
 
     def mark_selected(self, tiles: Sequence[int], hovered: Sequence[int]) -> None:
-        """Light tiles up, in every figure."""
+        """Colour tiles that are selected or below the mouse, in every figure."""
         count, before = len(self.scene.F) if self.scene else 0, self.selected
         self.selected = [tile for tile in tiles if tile < count]
         self._hovered = [tile for tile in hovered if tile < count]
+        self._colour_figures()
         if self.selected != before:
-            self._colour_figures()
             self._tell()
-        self._outline()
 
     def values_of(self, tile: int) -> list[tuple[str, str]]:
         """Names of fields with a tile's values, in the user's units."""
@@ -309,7 +310,6 @@ class Overlay:
         self._picture.draw(scene, view.Morph, view.Pins, view.Membranes, view.Both)
         self._picture.place(self.placement())
         self._mark()
-        self._outline()
         self._tell()
 
     def _colour(self) -> None:
@@ -317,18 +317,15 @@ class Overlay:
         self._mark()
         self.explain()
 
-    def _colour_map(self, field: Optional[Field]) -> str:
-        name = self._view.ColourMap
-        if name != AUTOMATIC:
-            return name
-        return colours.SIGNED if field is not None and field.signed else colours.NAMES[0]
+    def _colouring(self) -> picture.Colouring:
+        field, name = self.field(), self._view.ColourMap
+        if name == AUTOMATIC:
+            name = colours.SIGNED if field is not None and field.signed else colours.NAMES[0]
+        return picture.Colouring(field, name, *self.range(), bool(self.age(field)))
 
     def _colour_figures(self) -> None:
-        scene, field = self.scene, self.field()
-        if scene is not None:
-            name, ends, faded = self._colour_map(field), self.range(), bool(self.age(field))
-            self._picture.colour_tiles(scene, field, name, ends, self.selected, faded)
-            self._picture.colour_sheets(scene, field, name, ends, faded)
+        if self.scene is not None:
+            self._picture.colour(self.scene, self._colouring(), self.selected, self._hovered)
 
     def _tell(self) -> None:
         for observer in list(self.observers):
@@ -342,32 +339,27 @@ class Overlay:
         if self.scene is not None:
             self._picture.mark(self.scene, self._problems())
 
-    def _outline(self) -> None:
-        self._picture.outline(self.selected, self._hovered)
-
     def explain(self) -> None:
         """Write the legend, in the user's units."""
         self._tell()
-        field, notes = self.field(), []
+        colouring, notes = self._colouring(), []
+        field, age = colouring.field, self.age(colouring.field)
         if self._iterating:
-            notes.append(translate("CurveUps_Overlay", "present state of the solver"))
-        elif self.scene is not None and (field is not None or self.age(field)):
+            notes.append(self._iterating)
+        elif self.scene is not None and (field is not None or age):
             notes.append(picture.origin_of(field, self.scene))
-        if self.age(field):
-            notes.append(self.age(field))
+        if age:
+            notes.append(age)
         if self.note:
             notes.append(translate("CurveUps_Overlay", "not the present state: {why}", why=self.note))
         marks = tuple((marked.mark, f"{translate('CurveUps_Fields', marked.problem)}: {len(marked.problems)}")
                       for marked in self._problems())
-        if field is None:
-            title = self.object.Label
-            self._show_legend(Content(title, has_bar=False, notes=tuple(notes), marks=marks)
-                              if notes or marks else None)
-            return
-        low, high = self.range()
-        self._show_legend(Content(translate("CurveUps_Fields", field.name), field.unit,
-                                  self._colour_map(field), low, high, True, bool(self.age(field)),
-                                  tuple(notes), marks))
+        content = Content(self.object.Label, has_bar=False, notes=tuple(notes), marks=marks)
+        if field is not None:
+            content = replace(content, title=translate("CurveUps_Fields", field.name), unit=field.unit,
+                              colour_map=colouring.map_name, low=colouring.low, high=colouring.high,
+                              has_bar=True, faded=colouring.faded)
+        self._show_legend(content if content.has_bar or notes or marks else None)
 
     def _show_legend(self, content: Optional[Content]) -> None:
         self.legend.show(content)

@@ -48,7 +48,7 @@ class OverlayPanel(Panel):
         form.low.valueChanged.connect(lambda *_: self._set_range())
         form.high.valueChanged.connect(lambda *_: self._set_range())
         self.on_clicks(automatic=lambda: self._overlay.set_range(None))
-        form.morph.valueChanged.connect(lambda step: self._fold(step))
+        form.morph.valueChanged.connect(lambda step: self._overlay.set_morph(step / _STEPS))
 
     def show(self) -> None:
         form, overlay = self.form, self._overlay
@@ -104,10 +104,6 @@ class OverlayPanel(Panel):
         if low < high:
             self._overlay.set_range((low, high))
 
-    def _fold(self, step: int) -> None:
-        self._overlay.folding = None
-        self._overlay.set_morph(step / _STEPS)
-
 
 class WorstContactsPanel(Panel):
     """Contacts or tiles, the worst first. A click on a row selects its tiles and turns the camera to them."""
@@ -149,11 +145,11 @@ class WorstContactsPanel(Panel):
             texts = " – ".join(map(tile_name, self._tiles[row])), value + " ✗" * (number in problems)
             for column, text in enumerate(texts):
                 rows.setItem(row, column, QtWidgets.QTableWidgetItem(text))
-        left = len(field.order) - len(worst)
         self.form.count.setText(
-            translate("CurveUps_WorstContacts", "with problems: {count}", count=len(problems))
-            + (translate("CurveUps_WorstContacts", "; better ones that are not listed: {left}", left=left)
-               if left else ""))
+            translate("CurveUps_WorstContacts", "{shown} of {count} shown", shown=len(worst),
+                      count=len(field.order))
+            + (translate("CurveUps_WorstContacts", ", {count} with problems", count=len(problems))
+               if problems else ""))
 
     def _go(self) -> None:
         rows = sorted({index.row() for index in self.form.rows.selectedIndexes()})

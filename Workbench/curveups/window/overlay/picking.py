@@ -6,6 +6,7 @@ from __future__ import annotations
 import time
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, Callable, Iterable, Mapping, Optional, Sequence
 
 import FreeCAD
@@ -13,11 +14,10 @@ import numpy as np
 from pivy import coin
 
 from ...stages.cut_request import sides_of_edges
-from ..overlays import overlay_of
-from ..qt import QtCore
-from .cameras import views_of
-from .nodes import coloured, fill, lines_of, separator, unlit, unpickable
+from ..overlays import overlay_of, tile_in
 from .overlay import Overlay
+from .picture import coloured, fill, lines_of, separator, unlit, unpickable
+from .showing import views_of
 
 _PAUSE = 0.03  # s between two picks while the mouse moves
 
@@ -40,18 +40,13 @@ class Pick:
 def pick(view: Any, position: Sequence[float], design: Any) -> Optional[Pick]:
     """The nearest tile of a Design below a pixel of a 3D view, counted from the view's lower left corner.
     None if there is none."""
-    overlay = overlay_of(design)
-    manager = view.getViewer().getSoRenderManager()
-    action = coin.SoRayPickAction(manager.getViewportRegion())
-    action.setPoint(coin.SbVec2s(*(int(round(x)) for x in position)))
-    action.setPickAll(True)
-    action.apply(manager.getSceneGraph())
-    points = action.getPickedPointList()
-    for point in map(points.__getitem__, range(points.getLength())):
-        tile = overlay.tile_of(point)
-        if tile >= 0 and overlay.scene is not None:
-            return _on_tile(overlay, tile, np.array(point.getPoint().getValue()))
-    return None
+    overlay, info = overlay_of(design), view.getObjectInfo(tuple(int(round(x)) for x in position))
+    if not info or info["Object"] != design.Name or info["Document"] != design.Document.Name:
+        return None
+    tile = tile_in(info["Component"])
+    if tile < 0 or overlay.scene is None:
+        return None
+    return _on_tile(overlay, tile, np.array([info["x"], info["y"], info["z"]]))
 
 
 def _on_tile(overlay: Overlay, tile: int, world: np.ndarray) -> Pick:
@@ -71,72 +66,56 @@ def _on_tile(overlay: Overlay, tile: int, world: np.ndarray) -> Pick:
 
 
 class PickTool:
-    """Mouse on the tiles of a design, in all its views.
+    """Mouse on the tiles of a design, in all its views; FreeCAD selects nothing meanwhile.
 
-    hover: gets a Pick or None as the mouse moves. click: gets a Pick; FreeCAD keeps clicks beside the tiles,
-    and those that turn or move the view. escape: returns True if it used the key."""
+    hover: gets a Pick or None as the mouse moves. click: gets a Pick. escape: ends what was begun."""
 
     def __init__(self, design: Any, hover: Callable[[Optional[Pick]], None], click: Callable[[Pick], None],
-                 escape: Callable[[], bool]):
-        self._design = design
+                 escape: Callable[[], object]):
+        self._design, self._document = design, design.Document.Name
         self._hover, self._click, self._escape = hover, click, escape
         self._hovered, self._pressed = 0.0, False
-        self._filters = [_Filter(view, self._takes) for view in views_of(design.Document.Name)]
+        reactions = {"SoLocation2Event": self._move, "SoMouseButtonEvent": self._press,
+                     "SoKeyboardEvent": self._key}
+        self._callbacks = [
+            (view, kind, view.addEventCallback(kind, partial(react, view)))
+            for view in views_of(design.Document.Name) for kind, react in reactions.items()]
+        self._let_select("FALSE")
 
     def close(self) -> None:
-        """Give the mouse back to FreeCAD."""
-        for event_filter in self._filters:
-            event_filter.close()
+        """Give the mouse back to FreeCAD. The views of a closed document are gone: a touch would crash it."""
+        if not views_of(self._document):
+            return
+        self._let_select("TRUE")
+        for view, kind, callback in self._callbacks:
+            with suppress(RuntimeError):  # the view is gone
+                view.removeEventCallback(kind, callback)
 
-    def _takes(self, view: Any, event: Any) -> bool:
-        kind = event.type()
-        if kind == QtCore.QEvent.MouseMove and not event.buttons():
-            now = time.perf_counter()
-            if now - self._hovered >= _PAUSE:
-                self._hovered = now
-                self._hover(self._pick(view, event))
-        elif kind in (QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonDblClick):
-            self._pressed = event.button() == QtCore.Qt.LeftButton and self._pick(view, event) is not None
-            return self._pressed
-        elif kind == QtCore.QEvent.MouseButtonRelease and self._pressed:
-            self._pressed = False
-            picked = self._pick(view, event)
-            if picked is not None:
-                self._click(picked)
-            return True
-        elif kind == QtCore.QEvent.KeyPress and event.key() == QtCore.Qt.Key_Escape:
-            return self._escape()
-        return False
+    def _let_select(self, on: str) -> None:
+        """Let FreeCAD select what is clicked, or not."""
+        for view, *_ in self._callbacks:
+            with suppress(RuntimeError):
+                graph = view.getSceneGraph()
+                # Its names before and since FreeCAD 1.1.
+                (graph.getField("selectionRole") or graph.getField("selectionEnabled")).set(on)
 
-    def _pick(self, view: Any, event: Any) -> Optional[Pick]:
-        area = view.graphicsView().viewport()
-        place = event.position() if hasattr(event, "position") else event.pos()
-        ratio = area.devicePixelRatioF()
-        return pick(view, (place.x() * ratio, (area.height() - 1 - place.y()) * ratio), self._design)
+    def _move(self, view: Any, event: Any) -> None:
+        now = time.perf_counter()
+        if now - self._hovered >= _PAUSE:
+            self._hovered = now
+            self._hover(pick(view, event["Position"], self._design))
 
+    def _press(self, view: Any, event: Any) -> None:
+        if event["Button"] != "BUTTON1":
+            return
+        picked, clicked = pick(view, event["Position"], self._design), self._pressed
+        self._pressed = picked is not None and event["State"] == "DOWN"
+        if clicked and picked is not None and event["State"] == "UP":
+            self._click(picked)
 
-class _Filter(QtCore.QObject):
-    """Events of a view before FreeCAD's selection gets them, which nothing else can stop. takes: returns True
-    for those that FreeCAD is not to get."""
-
-    def __init__(self, view: Any, takes: Callable[[Any, Any], bool]):
-        super().__init__()
-        self._view, self._takes = view, takes
-        self._widgets = view.graphicsView().viewport(), view.graphicsView()  # mouse, keys
-        for widget in self._widgets:
-            widget.installEventFilter(self)
-
-    def close(self) -> None:
-        with suppress(RuntimeError):  # the view is gone
-            for widget in self._widgets:
-                widget.removeEventFilter(self)
-
-    def eventFilter(self, widget: Any, event: Any) -> bool:
-        # PySide2 may hand over a deleted object that had the event's address.
-        try:
-            return isinstance(event, QtCore.QEvent) and self._takes(self._view, event)
-        except (RuntimeError, ReferenceError):  # a view or a design is going
-            return False
+    def _key(self, view: Any, event: Any) -> None:
+        if event["Key"] == "ESCAPE" and event["State"] == "DOWN":
+            self._escape()
 
 
 # Colours differ in lightness as well as in hue.

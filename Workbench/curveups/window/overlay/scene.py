@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Values that are drawn of a project, at any stage of it. Without Coin."""
+"""Arrays that are drawn of a project, at any stage of it. Without Coin."""
 
 from __future__ import annotations
 
@@ -13,7 +13,76 @@ from ...base.native import native
 from ...stages.actuation import moved
 from .fields import (MEMBRANE, SIDE, TILE, Field, check_fields, design_fields, deviation_field, force_fields,
                      friction_fields, path_fields, target_fields)
-from .prisms import SLOTS
+
+
+SLOTS = 6  # of colour on a tile: front at edge 0, 1, 2, which the walls share, and back at edge 0, 1, 2
+
+
+@dataclass(frozen=True)
+class Topology:
+    """Polygons of one prism (counter-clockwise from outside), and numbers of their normals and colours.
+    `points`, `colours`: counts for a prism; with 0 colours all prisms share one. Its corners 0 to 2 are in
+    front, 3 to 5 behind."""
+
+    points: int
+    colours: int
+    polygons: tuple[tuple[int, ...], ...]
+    normal: tuple[int, ...]
+    colour: tuple[int, ...]
+
+    def coordinate_index(self, count: int) -> np.ndarray:
+        """Polygons of `count` prisms as Coin reads them."""
+        return _index(self.polygons, self.points, count)
+
+    def normal_index(self, count: int) -> np.ndarray:
+        return (np.array(self.normal) + 5 * np.arange(count)[:, None]).astype(np.int32).ravel()
+
+    def colour_index(self, count: int) -> np.ndarray:
+        return (np.array(self.colour) + self.colours * np.arange(count)[:, None]).astype(np.int32).ravel()
+
+
+_WALLS = ((1, 0, 3, 4), (2, 1, 4, 5), (0, 2, 5, 3))
+# Front and back of a tile are three triangles about their middle, one at each edge: the value of a contact
+# colours the third of both tiles beside it.
+THIRDS = Topology(8, SLOTS, ((0, 1, 6), (1, 2, 6), (2, 0, 6), (4, 3, 7), (5, 4, 7), (3, 5, 7), *_WALLS),
+                  (0, 0, 0, 1, 1, 1, 2, 3, 4), (0, 1, 2, 3, 4, 5, 0, 1, 2))
+WHOLE = Topology(6, 0, ((0, 1, 2), (5, 4, 3), *_WALLS), (0, 1, 2, 3, 4), (0,) * 5)
+
+_RIMS = ((0, 1, 2, 0, 3, 4, 5, 3), (1, 4), (2, 5))  # polylines along all edges of a prism
+
+
+def line_index(count: int) -> np.ndarray:
+    """Edges of `count` prisms of six points as Coin reads them."""
+    return _index(_RIMS, 6, count)
+
+
+def _index(parts: tuple[tuple[int, ...], ...], points: int, count: int) -> np.ndarray:
+    """Corners of `parts` in each of `count` prisms; -1 ends a part."""
+    flat = np.array([corner for part in parts for corner in (*part, -1)])
+    return np.where(flat < 0, -1, flat + points * np.arange(count)[:, None]).astype(np.int32).ravel()
+
+
+def normals(corners: np.ndarray) -> np.ndarray:
+    """Outward normals (M x 5 x 3) of front, back and the walls at edges 0 to 2. Zero for a face without area:
+    Coin wants numbers."""
+    a, b, c, d, e, f = (corners[:, k] for k in range(6))
+    across = np.stack([np.cross(b - a, c - a), np.cross(f - d, e - d), np.cross(a - b, e - b),
+                       np.cross(b - c, f - c), np.cross(c - a, d - a)], axis=1)
+    length = np.linalg.norm(across, axis=2, keepdims=True)
+    return across / np.where(length > 0, length, 1)
+
+
+def with_middles(corners: np.ndarray) -> np.ndarray:
+    """Points of THIRDS, M x 8 x 3: corners, and the middles of front and back."""
+    return np.concatenate([corners, corners[:, :3].mean(1, keepdims=True),
+                           corners[:, 3:].mean(1, keepdims=True)], axis=1)
+
+
+def pin_prisms(pins: np.ndarray) -> np.ndarray:
+    """Prisms (2M x 6 x 3) of pins (M x 2 x 6 x 3: front and back, three corners of the base and three of the
+    top). Their fronts point the way of the tile's front."""
+    front, back = pins[:, 0], pins[:, 1]
+    return np.concatenate([np.concatenate([front[:, 3:], front[:, :3]], axis=1), back])
 
 
 def frames(corners: np.ndarray) -> np.ndarray:
@@ -26,33 +95,19 @@ def frames(corners: np.ndarray) -> np.ndarray:
     return np.stack([along, np.cross(normal, along), normal], axis=2)
 
 
-def quaternions(rotations: np.ndarray) -> np.ndarray:
-    """Unit quaternions (w, x, y, z; M x 4, w at least 0) of rotations (M x 3 x 3)."""
-    r = rotations
-    outer = np.empty((len(r), 4, 4))  # four times the quaternion's products with itself
-    trace = r[:, 0, 0] + r[:, 1, 1] + r[:, 2, 2]
-    outer[:, 0, 0] = 1 + trace
-    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        outer[:, i + 1, i + 1] = 1 + 2 * r[:, i, i] - trace
-        outer[:, 0, i + 1] = outer[:, i + 1, 0] = r[:, k, j] - r[:, j, k]
-        outer[:, i + 1, j + 1] = outer[:, j + 1, i + 1] = r[:, i, j] + r[:, j, i]
-    # Any row is a multiple of the quaternion; the longest has the most digits.
-    largest = np.argmax(np.einsum("mii->mi", outer), axis=1)
-    longest = outer[np.arange(len(r)), largest]
-    longest = longest / np.linalg.norm(longest, axis=1, keepdims=True)
-    return np.where(longest[:, :1] < 0, -longest, longest)
+def axes_of(rotations: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Axes (M x 3, of unit length) and angles (M, rad) of rotations (M x 3 x 3)."""
+    axes = np.linalg.eigh(rotations + rotations.transpose(0, 2, 1))[1][:, :, 2]
+    skew = rotations - rotations.transpose(0, 2, 1)
+    sine = np.einsum("mk,mk->m", axes, skew[:, (2, 0, 1), (1, 2, 0)]) / 2
+    return axes, np.arctan2(sine, (np.trace(rotations, axis1=1, axis2=2) - 1) / 2)
 
 
-def part_of(turns: np.ndarray, t: float) -> np.ndarray:
-    """Rotations (M x 3 x 3) by the share t of the angles of quaternions (M x 4)."""
-    sine = np.linalg.norm(turns[:, 1:], axis=1)
-    half = t * np.arctan2(sine, turns[:, 0])
-    safe = np.where(sine > 0, sine, 1)
-    w, (x, y, z) = np.cos(half), (turns[:, 1:] * (np.sin(half) / safe)[:, None]).T
-    return np.stack([1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),
-                     2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
-                     2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-                    axis=1).reshape(-1, 3, 3)
+def part_of(axes: np.ndarray, angles: np.ndarray, t: float) -> np.ndarray:
+    """Rotations (M x 3 x 3) by the share t of angles about axes, by Rodrigues' formula."""
+    across = np.cross(np.eye(3), axes[:, None])
+    sine, cosine = np.sin(t * angles)[:, None, None], np.cos(t * angles)[:, None, None]
+    return np.eye(3) + sine * across + (1 - cosine) * (across @ across)
 
 
 class Motion:
@@ -68,8 +123,8 @@ class Motion:
         whole = u @ np.diag([1, 1, np.linalg.det(u @ vt)]) @ vt
         self._middle = np.average(self._from, axis=0, weights=area)
         self._shift = np.average(to, axis=0, weights=area) - self._middle
-        self._whole = quaternions(whole[None])
-        self._own = quaternions(whole.T @ own)
+        self._whole = axes_of(whole[None])
+        self._own = axes_of(whole.T @ own)
         self._step = (to - self._middle - self._shift) @ whole + self._middle - self._from
 
     def middle(self, t: float) -> np.ndarray:
@@ -78,15 +133,15 @@ class Motion:
 
     def move(self, points: np.ndarray, t: float) -> np.ndarray:
         """Positions at t of points on the tiles (M x K x 3, mm, in the flat layout)."""
-        whole = part_of(self._whole, t)[0]
-        turned = (points - self._from[:, None]) @ part_of(self._own, t).transpose(0, 2, 1)
+        whole = part_of(*self._whole, t)[0]
+        turned = (points - self._from[:, None]) @ part_of(*self._own, t).transpose(0, 2, 1)
         gathered = turned + (self._from + t * self._step - self._middle)[:, None]
         return gathered @ whole.T + self.middle(t)
 
     def blend(self, flat: np.ndarray, actuated: np.ndarray, t: float) -> np.ndarray:
         """Positions at t of points (K x 3, mm) that bend on the way, by both their ends."""
-        inverse = (actuated - self.middle(1)) @ part_of(self._whole, 1)[0] + self._middle
-        return (flat + t * (inverse - flat) - self._middle) @ part_of(self._whole, t)[0].T + self.middle(t)
+        inverse = (actuated - self.middle(1)) @ part_of(*self._whole, 1)[0] + self._middle
+        return (flat + t * (inverse - flat) - self._middle) @ part_of(*self._whole, t)[0].T + self.middle(t)
 
 
 NO_FIELD = "None"  # for plain tiles

@@ -1,11 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Display of a design: the overlay flat or actuated, or its solids. For commands, macros, scripts."""
+"""Display of a design, for commands, macros and scripts: the overlay flat or actuated, or its solids; 3D
+views and their cameras."""
 
 from __future__ import annotations
 
-from typing import Any
+import weakref
+from contextlib import suppress
+from typing import Any, Optional
 
+import FreeCAD
 import FreeCADGui
+import numpy as np
+from pivy import coin
 
 from ...base.errors import CurveUpsError
 from ...base.native import native
@@ -13,8 +19,9 @@ from ..overlays import overlay_of
 from ..qt import QtCore, translate
 
 _BODIES = ("Tiles", "Support", "Anchors")
-_FOLDING, _FRAME = 500, 30          # ms: from flat to actuated, and between two pictures
-_MOST_FOLDED = 4000                 # tiles; more are put there at once
+_FOLDING = 500       # ms from flat to actuated
+_MOST_FOLDED = 4000  # tiles; more are put there at once
+_TILES_ACROSS = 12   # of a view that looks at one tile
 
 
 def show_flat(design: Any) -> None:
@@ -71,30 +78,64 @@ def _show_overlay(design: Any, t: float) -> None:
     if overlay.scene is None or overlay.scene.flat is None or len(overlay.scene.F) > _MOST_FOLDED:
         overlay.set_morph(t)
     else:
-        _Fold(overlay, t)
+        _fold(overlay, t)
 
 
-class _Fold(QtCore.QObject):
-    """Animation that folds an overlay's tiles. Another one ends it."""
+def _fold(overlay: Any, t: float) -> None:
+    """Fold an overlay's tiles from where they are to t."""
+    picture = weakref.proxy(overlay)  # the animation is Qt's, and must not keep what is closed
+    animation = QtCore.QVariantAnimation(FreeCADGui.getMainWindow())
+    animation.setDuration(_FOLDING)
+    animation.setEasingCurve(QtCore.QEasingCurve.InOutQuad)
+    animation.setStartValue(overlay.morph())
+    animation.setEndValue(t)
 
-    def __init__(self, overlay: Any, t: float):
-        super().__init__(FreeCADGui.getMainWindow())
-        self._overlay, self._start, self._end = overlay, overlay.morph(), t
-        self._clock = QtCore.QElapsedTimer()
-        self._clock.start()
-        overlay.folding = self
-        self._timer = self.startTimer(_FRAME)
+    def show(value: float) -> None:
+        with suppress(ReferenceError):  # the design is gone
+            if picture.scene is not None:
+                picture.set_morph(value)
 
-    def timerEvent(self, event: Any) -> None:
-        share = min(1.0, self._clock.elapsed() / _FOLDING)
-        if self._overlay.folding is not self or self._overlay.scene is None:
-            share = 1.0
-        else:
-            smooth = share * share * (3 - 2 * share)
-            try:
-                self._overlay.set_morph(self._start + smooth * (self._end - self._start))
-            except ReferenceError:  # the design is gone
-                share = 1.0
-        if share >= 1.0:
-            self.killTimer(self._timer)
-            self.deleteLater()
+    animation.valueChanged.connect(show)
+    animation.start(QtCore.QAbstractAnimation.DeleteWhenStopped)
+
+
+def views_of(document: str) -> list:
+    """All 3D views of a document; none of one that is being closed."""
+    try:
+        gui = FreeCADGui.getDocument(document)
+    except NameError:
+        return []
+    return list(gui.mdiViewsOfType("Gui::View3DInventor")) if gui else []
+
+
+def active_view(document: str) -> Optional[Any]:
+    """The 3D view that is in use; None if that is a table, say."""
+    gui = FreeCADGui.getDocument(document)
+    view = gui.ActiveView if gui else None
+    return view if hasattr(view, "getCameraNode") else None
+
+
+def look_at(document: str, front: np.ndarray, placement: Any) -> None:
+    """Turn the view that is in use to triangles (K x 3 x 3, mm, before `placement`), head on."""
+    view = active_view(document) or next(iter(views_of(document)), None)
+    if view is None or not len(front):
+        return
+    normal = np.cross(front[:, 1] - front[:, 0], front[:, 2] - front[:, 0]).sum(0)
+    middle = placement.multVec(FreeCAD.Vector(*front.mean((0, 1))))
+    towards = placement.Rotation.multVec(FreeCAD.Vector(*normal)).normalize()
+    size = _TILES_ACROSS * float(np.linalg.norm(front[0, 1] - front[0, 0]))
+    camera = view.getCameraNode()
+    camera.orientation.setValue(*FreeCAD.Rotation(FreeCAD.Vector(0, 0, 1), towards).Q)
+    if camera.getTypeId() == coin.SoOrthographicCamera.getClassTypeId():
+        camera = coin.cast(camera, "SoOrthographicCamera")
+        camera.height = size
+    camera.focalDistance = 2 * size
+    camera.position = tuple(middle + towards * 2 * size)
+
+
+def shift(document: str, step: Any) -> None:
+    """Move the cameras of all views of a document by a vector, mm."""
+    if step.Length > 0:
+        for view in views_of(document):
+            camera = view.getCameraNode()
+            camera.position = tuple(FreeCAD.Vector(*camera.position.getValue().getValue()) + step)
