@@ -33,7 +33,7 @@ def work():
     until(lambda: design().Tiles.Shape.Solids, 60, 'solids')
     at_rest()
     assert picture('1-example') > 12
-    volume = design().Tiles.Shape.Volume
+    height = design().Tiles.Shape.BoundBox.ZLength
 
     FreeCADGui.ActiveDocument.setEdit(design().Name)
     widget('group').setCurrentText('Tiles')
@@ -41,7 +41,7 @@ def work():
     fill(widget('HBody'), '3.2')
     until(lambda: abs(design().HBody.Value - 3.2) < 1e-9, 10, 'the thickness')
     close_panel()
-    until(lambda: design().Tiles.Shape.Volume > volume, 60, 'thicker tiles')
+    until(lambda: design().Tiles.Shape.BoundBox.ZLength > height + 0.1, 60, 'thicker tiles')
     FreeCADGui.Selection.clearSelection()
     FreeCADGui.Selection.addSelection(design())
     press('CurveUps_Verify')
