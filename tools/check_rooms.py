@@ -18,7 +18,7 @@ ROOT = Path(__file__).resolve().parents[1]
 NATIVE: dict[str, tuple[str, ...]] = {
     "core": (), "numerics": ("core",), "geometry": ("numerics",), "design": ("geometry",),
     "bodies": ("design",), "layout": ("design",), "physics": ("bodies",), "fabrication": ("bodies",),
-    "contact": ("physics",), "actuation": ("contact",), "refinement": ("layout", "contact"),
+    "contact": ("physics",), "actuation": ("contact",), "refinement": ("layout", "physics"),
     "bindings": ("actuation", "refinement", "fabrication"),
 }
 # Headers of libraries, and the only rooms that may see them.

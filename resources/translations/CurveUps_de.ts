@@ -1250,10 +1250,6 @@
       <translation>eine Fläche nennt einen Punkt, den es nicht gibt (es gibt {0})</translation>
     </message>
     <message>
-      <source>a face of the surface names a vertex that does not exist</source>
-      <translation>eine Fläche nennt eine Ecke, die es nicht gibt</translation>
-    </message>
-    <message>
       <source>a facet can't be read, or the file ends early</source>
       <translation>eine Facette lässt sich nicht lesen, oder die Datei endet zu früh</translation>
     </message>
@@ -1264,10 +1260,6 @@
     <message>
       <source>a file of an earlier run can't be removed: {0}</source>
       <translation>eine Datei eines früheren Laufs lässt sich nicht entfernen: {0}</translation>
-    </message>
-    <message>
-      <source>a kept edge names a vertex that there is not</source>
-      <translation>eine behaltene Kante nennt einen Punkt, den es nicht gibt</translation>
     </message>
     <message>
       <source>a larger L, thinner tiles (H_body) or a smaller A_pin_min give pins room</source>
@@ -1482,10 +1474,6 @@
       <translation>die Datei und die Transformationen darin überprüfen</translation>
     </message>
     <message>
-      <source>check the input file</source>
-      <translation>die Eingabedatei überprüfen</translation>
-    </message>
-    <message>
       <source>check the layout for bodies that overlap</source>
       <translation>die Abwicklung auf überlappende Körper überprüfen</translation>
     </message>
@@ -1690,20 +1678,8 @@
       <translation>f_min ist der geschätzte Fehler des Membrannetzes, und der ist größer, als f_min_ratio verlangt</translation>
     </message>
     <message>
-      <source>face {0} has a vertex that is not finite</source>
-      <translation>Dreieck {0} hat einen Punkt, der nicht endlich ist</translation>
-    </message>
-    <message>
-      <source>face {0} has no area</source>
-      <translation>Dreieck {0} hat keinen Flächeninhalt</translation>
-    </message>
-    <message>
       <source>face {0} names a vertex that does not exist</source>
       <translation>Dreieck {0} nennt einen Punkt, den es nicht gibt</translation>
-    </message>
-    <message>
-      <source>face {0} names vertex {1}, the mesh has {2}</source>
-      <translation>Dreieck {0} nennt Punkt {1}, das Netz hat {2}</translation>
     </message>
     <message>
       <source>face {0} of the surface has an edge of {1} mm, L is {2} mm</source>
@@ -1756,10 +1732,6 @@
     <message>
       <source>friction and unilateral contacts</source>
       <translation>Reibung und einseitige Kontakte</translation>
-    </message>
-    <message>
-      <source>friction coefficient and force scale must be positive</source>
-      <translation>Reibungszahl und Kraftmaßstab müssen positiv sein</translation>
     </message>
     <message>
       <source>front</source>
@@ -1826,10 +1798,6 @@
       <translation>für jede Kachel eine Zeile angeben</translation>
     </message>
     <message>
-      <source>give a surface with triangles</source>
-      <translation>eine Fläche mit Dreiecken angeben</translation>
-    </message>
-    <message>
       <source>give a target</source>
       <translation>eine Zielfläche angeben</translation>
     </message>
@@ -1894,10 +1862,6 @@
       <translation>eines je Punkt angeben</translation>
     </message>
     <message>
-      <source>give one flag per edge</source>
-      <translation>einen Wert je Kante angeben</translation>
-    </message>
-    <message>
       <source>give one of the choices of membrane_model</source>
       <translation>eine der Möglichkeiten von membrane_model angeben</translation>
     </message>
@@ -1914,20 +1878,12 @@
       <translation>Paare benachbarter Punkte der neu vernetzten Zielfläche angeben</translation>
     </message>
     <message>
-      <source>give pairs of vertices</source>
-      <translation>Paare von Punkten angeben</translation>
-    </message>
-    <message>
       <source>give places in mm</source>
       <translation>Orte in mm angeben</translation>
     </message>
     <message>
       <source>give points, one a line</source>
       <translation>Punkte angeben, einen je Zeile</translation>
-    </message>
-    <message>
-      <source>give positive numbers</source>
-      <translation>positive Zahlen angeben</translation>
     </message>
     <message>
       <source>give some of 0 to {0}</source>
@@ -1996,6 +1952,10 @@
     <message>
       <source>inset at its limit</source>
       <translation>Zapfenkante an ihrer Grenze</translation>
+    </message>
+    <message>
+      <source>install CurveUps again, or run tools/setup in a checkout</source>
+      <translation>CurveUps erneut installieren, oder tools/setup in einem Checkout ausführen</translation>
     </message>
     <message>
       <source>install FreeCAD whole</source>
@@ -2702,10 +2662,6 @@
       <translation>tools/setup ausführen</translation>
     </message>
     <message>
-      <source>run tools/setup again</source>
-      <translation>tools/setup erneut ausführen</translation>
-    </message>
-    <message>
       <source>save it as text, or as STL or PLY</source>
       <translation>als Text speichern, oder als STL oder PLY</translation>
     </message>
@@ -3026,10 +2982,6 @@
       <translation>das Netz hat mehr als {0} Dreiecke</translation>
     </message>
     <message>
-      <source>the mesh has no faces</source>
-      <translation>das Netz hat keine Dreiecke</translation>
-    </message>
-    <message>
       <source>the mesh's mean edge length is {0} mm</source>
       <translation>die mittlere Kantenlänge des Netzes ist {0} mm</translation>
     </message>
@@ -3170,10 +3122,6 @@
       <translation>die Fläche lässt sich nicht so weit bewegen</translation>
     </message>
     <message>
-      <source>the surface has a vertex that is not finite</source>
-      <translation>die Fläche hat einen Punkt, der nicht endlich ist</translation>
-    </message>
-    <message>
       <source>the surface has no faces</source>
       <translation>Die Fläche hat keine Dreiecke</translation>
     </message>
@@ -3246,6 +3194,10 @@
       <translation>Die Kacheln sind bis zu {distance:.2g mm} von der Fläche entfernt</translation>
     </message>
     <message>
+      <source>the tiles could not be smoothed</source>
+      <translation>die Kacheln konnten nicht geglättet werden</translation>
+    </message>
+    <message>
       <source>the tiles follow the target: {kept} kept, {new} new</source>
       <translation>die Kacheln folgen dem Ziel: {kept} behalten, {new} neu</translation>
     </message>
@@ -3255,7 +3207,7 @@
     </message>
     <message>
       <source>the tiles' balance could not be solved</source>
-      <translation>das Gleichgewicht der Kacheln ließ sich nicht lösen</translation>
+      <translation>das Gleichgewicht der Kacheln konnte nicht gelöst werden</translation>
     </message>
     <message>
       <source>the {0} membrane between {1} folds over itself in the layout</source>
@@ -3296,10 +3248,6 @@
     <message>
       <source>there are not as many targets as points</source>
       <translation>es gibt nicht so viele Ziele wie Punkte</translation>
-    </message>
-    <message>
-      <source>there are {0} cut flags for {1} edges</source>
-      <translation>es gibt {0} Schnittwerte für {1} Kanten</translation>
     </message>
     <message>
       <source>there is no built-in target "{0}"</source>
@@ -3470,8 +3418,8 @@
       <translation>unbekannter Parameter „{0}“</translation>
     </message>
     <message>
-      <source>use a FreeCAD with Python {0}, or run tools/setup again</source>
-      <translation>ein FreeCAD mit Python {0} verwenden oder tools/setup noch einmal ausführen</translation>
+      <source>use a FreeCAD with Python {0}, or run tools/setup in a checkout</source>
+      <translation>ein FreeCAD mit Python {0} verwenden, oder tools/setup in einem Checkout ausführen</translation>
     </message>
     <message>
       <source>use a coarser mesh</source>
@@ -3500,10 +3448,6 @@
     <message>
       <source>verification was off</source>
       <translation>Das Prüfen war abgeschaltet</translation>
-    </message>
-    <message>
-      <source>vertex {0} of the mesh is not finite</source>
-      <translation>Punkt {0} des Netzes ist nicht endlich</translation>
     </message>
     <message>
       <source>volume</source>
@@ -3824,6 +3768,14 @@
     <message>
       <source>Surfaces</source>
       <translation>Flächen</translation>
+    </message>
+    <message>
+      <source>select one</source>
+      <translation>eine auswählen</translation>
+    </message>
+    <message>
+      <source>{count} surfaces are selected</source>
+      <translation>{count} Flächen sind ausgewählt</translation>
     </message>
   </context>
   <context>
@@ -4677,20 +4629,12 @@
       <translation>Entwürfe lassen sich öffnen, zeigen und exportieren, wie sie gespeichert sind</translation>
     </message>
     <message>
-      <source>install the package for this FreeCAD's Python again</source>
-      <translation>das Paket für das Python dieses FreeCAD neu installieren</translation>
-    </message>
-    <message>
       <source>none</source>
       <translation>keiner</translation>
     </message>
     <message>
       <source>ready; threads: {count}</source>
       <translation>bereit; Threads: {count}</translation>
-    </message>
-    <message>
-      <source>run {command}, then start FreeCAD again</source>
-      <translation>{command} ausführen, dann FreeCAD neu starten</translation>
     </message>
   </context>
   <context>

@@ -279,7 +279,7 @@ def test_a_stop_keeps_the_path_so_far(risen):
     assert piece.stopped and 1 <= len(piece.frames) < len(risen.frames)
     assert [one.kind for one in piece.findings()] == ["actuation_relaxed", "actuation_stopped"]
     assert piece.built == RELAXED and len(piece.deviations) == 1
-    project.forget_stopped()
+    project.forget([RISEN])
     assert project.latest(RISEN) is None
     with pytest.raises(Stopped):
         project.run(stages_of("actuate"), Job(lambda what, fraction: what != "relaxing"))

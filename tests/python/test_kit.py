@@ -64,8 +64,8 @@ def test_the_folder_holds_what_kit_json_lists(kit):
     for name, about in kit.json["files"].items():
         data = (kit.folder / name).read_bytes()
         assert about == {"bytes": len(data), "sha256": hashlib.sha256(data).hexdigest()}
-    design = (kit.folder / "design.json").read_text("utf-8")
-    assert files.is_current(kit.folder, design) and not files.is_current(kit.folder, design + " ")
+    design = (kit.folder / "design.json").read_bytes()
+    assert kit.json["design_sha256"] == hashlib.sha256(design).hexdigest()
 
 
 def test_print_files_and_design_are_those_of_the_design_command(kit, printed):
@@ -262,7 +262,24 @@ def test_a_kit_says_everywhere_that_it_is_not_valid(curveups, printed, tmp_path,
     found = json.loads((folder / "kit.json").read_text("utf-8"))
     assert found["valid"] is (None if status == 0 else False) and found["title"] == "small cap"
     design = (folder / "design.json").read_text("utf-8")
-    assert json.loads(design)["name"] == "small cap" and files.is_current(folder, design)
+    assert json.loads(design)["name"] == "small cap"
+    assert found["design_sha256"] == hashlib.sha256(design.encode("utf-8")).hexdigest()
+
+
+def test_a_kit_stopped_while_its_print_is_divided_says_so(results, tmp_path, monkeypatch):
+    def stopped(*_):
+        raise native.Cancelled
+
+    monkeypatch.setattr("curveups.kit.kit.beds", stopped)
+    assert files.write_kit(results, tmp_path, Job())
+    written = json.loads((tmp_path / "kit.json").read_text("utf-8"))
+    assert written["status"] == "stopped" and written["files"] == {}
+
+
+def test_a_kit_leaves_files_that_it_did_not_write(results, tmp_path):
+    (tmp_path / "small-cap-frame.png").write_text("a photo")
+    assert not files.write_kit(results, tmp_path, Job())
+    assert (tmp_path / "small-cap-frame.png").read_text() == "a photo"
 
 
 def test_a_layout_can_not_change_in_a_kit(curveups, printed, tmp_path):
@@ -356,9 +373,6 @@ def test_sheets_are_in_the_language_that_is_asked_for(curveups, printed, tmp_pat
     page = (tmp_path / "small-cap-assembly.html").read_text("utf-8")
     assert '<html lang="de">' in page and "Zuerst die Vorderseite kleben" in page
     assert found["language"] == "de" and found["steps"][0]["title"] == "Wash and mark the latex"  # as always
-    design = (tmp_path / "design.json").read_text("utf-8")
-    assert files.is_current(tmp_path, design, files.Order(language="de"))
-    assert not files.is_current(tmp_path, design)
     refused = curveups("kit", printed.folder / "design.json", "-o", tmp_path / "no", "--language", "xx")
     assert refused.status == 2 and "there is no language 'xx' (--language): give one of en, de" in refused.err
     assert not (tmp_path / "no").exists()

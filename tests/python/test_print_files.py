@@ -6,6 +6,7 @@ import json
 import struct
 import xml.etree.ElementTree as ElementTree
 import zipfile
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ from running import dome
 
 from curveups.base.native import native
 from curveups.base.profiles import profile_names, profile_path
+from curveups.cli.commands import _design_project
 from curveups.stages.solids import read_printer
 
 
@@ -102,6 +104,10 @@ def test_a_design_file_takes_the_weight_of_another_printer(curveups, tmp_path, s
     curveups("export", tmp_path / "design.json", "-o", tmp_path / "fdm", "--set", "printer=fdm")
     page = (tmp_path / "fdm" / "report.html").read_text(encoding="utf-8")
     assert f"at {density:g} g/cm³" in page
+    # A density that is given wins.
+    options = SimpleNamespace(design=tmp_path / "design.json", command="actuate",
+                              settings=["density=2", "printer=fdm"])
+    assert _design_project(options, None, ("files", "verify"))[0].parameters.get("density") == 2
 
 
 def test_bridges_are_no_support_material(exported):

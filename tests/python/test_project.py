@@ -3,7 +3,6 @@
 
 import threading
 
-import numpy as np
 import pytest
 from running import dome
 
@@ -205,8 +204,6 @@ def test_results_are_saved_and_restored(project, ran, tmp_path):
         if result.lasting:
             assert str(after[name].report()) == str(result.report()).replace("[", "(").replace("]", ")") or \
                 after[name].content == result.content
-    flat = [side["stretch"] for side in before["verification"].membranes]
-    assert all(np.array_equal(a, side["stretch"]) for a, side in zip(flat, after["verification"].membranes))
     # What they were made from is known still.
     again.parameters = changed(again.parameters, tau=2.5)
     assert "tau" in again.out_of_date("verification")

@@ -125,7 +125,7 @@ def test_a_stopped_layout_is_made_anew_when_that_is_asked_for(worker, ended):
     finish(worker)
     assert twin.latest("layout").stopped
     assert twin.run(("layout",))["layout"].stopped, "it counts as there is nothing better"
-    twin.forget_stopped()
+    twin.forget(["layout"])
     assert not twin.run(("layout",))["layout"].stopped
 
 

@@ -141,6 +141,12 @@ def test_designs_of_selected_surfaces_and_their_targets(tmp_path, monkeypatch, p
     press("CurveUps_NewDesign")
     second = [obj for obj in made.Objects if obj.Name.startswith("Design")][-1]
     assert second.Target.Source == mesh
+    FreeCADGui.Selection.addSelection(sphere)
+    FreeCADGui.Selection.addSelection(mesh)
+    count = len(made.Objects)
+    press("CurveUps_NewDesign")
+    until(lambda: "2 surfaces are selected" in report(), 10, "the error")
+    assert len(made.Objects) == count
     FreeCADGui.Selection.clearSelection()
     settle(500)
     assert not FreeCADGui.Command.get("CurveUps_Solve").isActive()

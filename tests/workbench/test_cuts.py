@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Cuts picked by mouse in FreeCAD's window: chains, undo, the layout, suggestions."""
 
+import threading
+
 import FreeCAD
 import FreeCADGui
 import numpy as np
@@ -9,6 +11,7 @@ import pytest
 from curveups.features import actions, document as designs
 from curveups.window.cuts import aligned
 from curveups.window.overlays import overlay_of
+from curveups.window.run import Task
 from robot import (action, click, close_panel, display, keys, on_screen, picture, press, QtGui,
                    report, settle, until, widget, window)
 from steps import begin, click_edge, edge_at, example, LIVE, move_to, panel
@@ -80,6 +83,32 @@ def test_a_chain_of_clicks_cuts_along_edges_and_each_click_is_undone_singly(pict
     close_panel()
     settle(500)
     assert "Traceback" not in report(), report()
+
+
+def test_a_run_of_another_command_goes_on_while_edges_are_cut(pictures):
+    document, design = cutting()
+    release, ended = threading.Event(), []
+    task = Task("Report", lambda job: release.wait(60), lambda design, value: ended.append(value))
+    LIVE.start(design, task)
+    edge = click_edge(design, 0, 0)
+    assert edges(design) == {edge} and LIVE.busy
+    until(lambda: "at work" in panel().form.line.text(), 10, "the reason")
+    close_panel()
+    assert LIVE.busy
+    release.set()
+    until(lambda: ended == [True], 60, "the report")
+    FreeCAD.closeDocument(document.Name)
+
+
+def test_cuts_that_are_no_edges_are_named_and_replaced(pictures):
+    document, design = cutting()
+    design.Cuts.Edges = [0, 99999]
+    until(lambda: "no edge of the target" in panel().form.line.text(), 10, "the message")
+    edge = click_edge(design, 0, 0)
+    quiet()
+    assert edges(design) == {edge} and "Traceback" not in report(), report()
+    close_panel()
+    FreeCAD.closeDocument(document.Name)
 
 
 def test_a_layout_lies_as_the_one_before(pictures):

@@ -49,15 +49,15 @@ def lingering(late):
     """A writer of files that goes on after its STL file until it is stopped. late: set by then."""
     write_bodies = exports.write_bodies
 
-    def slow(folder, name, model, kind, job):
-        def write(ending, kind, path, job):
-            model.write(ending, kind, path, job)
+    def slow(folder, name, model, kind, job, title=None):
+        def write(ending, kind, path, job, title):
+            model.write(ending, kind, path, job, title)
             if ending == "stl":
                 late.set()
                 while not job.stopped:
                     time.sleep(0.01)
 
-        write_bodies(folder, name, SimpleNamespace(write=write), kind, job)
+        write_bodies(folder, name, SimpleNamespace(write=write), kind, job, title)
 
     return slow
 

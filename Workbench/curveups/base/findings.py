@@ -63,7 +63,7 @@ class Finding(Value):
 
     @property
     def data(self) -> dict[str, Any]:
-        """For JSON."""
+        """Entries of a JSON file."""
         return {"kind": self.kind, "tiles": self.tiles,
                 "figures": {name: _plain(figure, lambda finding: finding.data)
                             for name, figure in self.figures.items()}}

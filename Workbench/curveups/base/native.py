@@ -30,16 +30,17 @@ def _load() -> ModuleType:
     except ImportError as error:
         if not built:
             raise CurveUpsError("the native module has not been built", str(here),
-                                "run tools/setup") from error
+                                "install CurveUps again, or run tools/setup in a checkout") from error
         if importlib.util.find_spec("curveups._native") is None:
-            raise CurveUpsError(f"the native module is not for {name}", ", ".join(built),
-                                f"use a FreeCAD with Python {' or '.join(pythons)}, or run tools/setup again"
-                                ) from error
+            raise CurveUpsError(
+                f"the native module is not for {name}", ", ".join(built),
+                f"use a FreeCAD with Python {' or '.join(pythons)}, or run tools/setup in a checkout"
+            ) from error
         raise CurveUpsError(f"the native module can't be loaded: {error}", built[0],
-                            "run tools/setup again") from error
+                            "install CurveUps again, or run tools/setup in a checkout") from error
     if module.__version__ != __version__:
         raise CurveUpsError(f"the native module is of version {module.__version__}, not {__version__}",
-                            built[0], "run tools/setup again")
+                            built[0], "install CurveUps again, or run tools/setup in a checkout")
     return module
 
 

@@ -74,3 +74,10 @@ def with_values(parameters: Any, values: Mapping[str, Any]) -> Any:
     for name, value in values.items():
         changed.set(name, value)
     return changed
+
+
+def without_switches(design: Any) -> Any:
+    """Parameters of a native Design, if any, but for stages, which commands choose."""
+    defaults = native.Parameters()
+    return with_values(design.parameters, {
+        row.name: defaults.get(row.name) for row in table() if row.level == "switch"}) if design else defaults

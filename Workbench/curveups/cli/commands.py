@@ -12,7 +12,7 @@ from ..base.findings import Finding, first_of_each_kind
 from ..base.language import Language
 from ..base.native import native, translated
 from ..base.output import Folder, plain_name, safe_name
-from ..base.parameters import parameter, table, with_values
+from ..base.parameters import parameter, table, with_values, without_switches
 from ..base.profiles import MATERIALS, NOTES, of_material, profile_path
 from ..base.progress import Reporter
 from ..features.document_file import write_document
@@ -174,6 +174,8 @@ def _design_project(options: Any, reporter: Reporter, effects: tuple[str, ...] =
     # The density follows the printer where it is the printer's and no verdict depends on it.
     follows = values.get("density") == density_of(values.get("printer")) and values.get("gravity") == "off"
     given = list(_settings(options))
+    for name, value, _ in _of_printer(given) if follows else ():
+        values.set(name, value)
     for name, value, where in _with_materials(given):
         before = native.Parameters(values)
         with translated(where):
@@ -184,8 +186,6 @@ def _design_project(options: Any, reporter: Reporter, effects: tuple[str, ...] =
             raise CurveUpsError(f"{typed} can't change on {options.command}", where,
                                 "run 'curveups design' with it")
         rebuilt |= row.effect == "rebuild" and values.get(name) != before.get(name)
-    for name, value, _ in _of_printer(given) if follows else ():
-        values.set(name, value)
     project.parameters = values
     return project, rebuilt
 
@@ -225,7 +225,7 @@ def _cuts(options: Any) -> CutRequest:
 def _project(options: Any, cuts: CutRequest, reporter: Reporter, earlier: Any = None) -> Project:
     """Project of a target; with L=auto or H_body=auto, with the chosen sizes and their design. earlier: the
     design whose parameters are the defaults."""
-    values, automatic = _defaults(earlier), set()
+    values, automatic = without_switches(earlier), set()
     profile = [profile_path(options.profile)] if options.profile else []
     of_profile, given = ([(name, value, str(path)) for path in paths
                           for name, value in read_json_object(path).items() if name not in NOTES]
@@ -256,17 +256,6 @@ def _project(options: Any, cuts: CutRequest, reporter: Reporter, earlier: Any = 
     for name, value in choice.values.items():
         reporter.say(f"{name} = {value:g} mm is chosen")
     return choice.project
-
-
-def _defaults(earlier: Any) -> Any:
-    """Parameters of an earlier design, if any, but for stages, which commands choose."""
-    values, defaults = native.Parameters(), native.Parameters()
-    if earlier:
-        values = native.Parameters(earlier.parameters)
-        for row in table():
-            if row.level == "switch":
-                values.set(row.name, defaults.get(row.name))
-    return values
 
 
 def _of_printer(given: Sequence[tuple[str, Any, str]]) -> Iterator[tuple[str, Any, str]]:
@@ -318,7 +307,7 @@ def _default(row: Any) -> str:
 
 # Formats of text parameters, by the type of their rows.
 TEXTS = {"tiles": "tile names", "faces": "face names", "opening": "auto, largest, none, z=0, ...",
-         "pieces": "1 to 24, or auto", "direction": "x,y,z"}
+         "pieces": "1 to 24, or auto"}
 
 
 def _range(row: Any) -> str:

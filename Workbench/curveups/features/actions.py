@@ -86,10 +86,10 @@ def prepare(which: str, design: Any, settles: bool = True) -> tuple[Project, Wor
     run = RUNS[which]
     project = run.project(design).copy()
     if run.anew:
-        project.forget_stopped()
+        project.forget(name for name, made in project.made().items() if made.result.stopped)
     earlier = earlier_tiles(design, project) if run.of_target and which != "tile_anew" else None
     if which == "tile_anew":
-        project.forget("target")
+        project.forget(["target"])
         project.give("cut request", request_of(design.Cuts, by_number=False))
     goals = tuple(name for name in run.goals
                   if settles or name != SETTLED or BY_NAME[name].contributes(project.parameters))
@@ -99,7 +99,7 @@ def prepare(which: str, design: Any, settles: bool = True) -> tuple[Project, Wor
             carry_along(project, earlier, job)
         if run.anew and run.of_target:
             project.run(("pin smoothing",), job)
-            project.forget_out_of_date()  # pictures would show it
+            project.forget(filter(project.out_of_date, project.made()))  # pictures would show them
         return project.run(goals, job, strict=run.strict)
 
     return project, work
@@ -252,43 +252,27 @@ def report_work(design: Any, folder: str) -> Callable[[Job], str]:
     return lambda job: str(write_report(project, Path(folder), doubted, job))
 
 
-@dataclass(frozen=True)
-class WrittenKit:
-    """page: of its assembly. keys: of what it was made from; none where it existed already."""
-
-    page: str
-    keys: Optional[Keys] = None
-
-
 def kit(design: Any, folder: str, quantity: int = 1, mask: str = kit_files.Order.mask, language: str = "en"
         ) -> str:
-    """Write the fabrication kit into a folder, unless it holds that of the present design. Return the path of
-    the assembly's page."""
-    written: WrittenKit = _value_of("kit", design, lambda: kit_work(
+    """Write the fabrication kit into a folder. Return the path of the assembly's page."""
+    page, keys = _value_of("kit", design, lambda: kit_work(
         design, folder, kit_files.Order(quantity, mask, language)))
-    if written.keys is not None:
-        write_keys(design, written.keys, "KitKeys")
-        status.refresh(design)
-    return written.page
+    write_keys(design, keys, "KitKeys")
+    status.refresh(design)
+    return str(page)
 
 
-def kit_work(design: Any, folder: str, order: kit_files.Order) -> Callable[[Job], WrittenKit]:
-    """Work of kit, for any thread."""
+def kit_work(design: Any, folder: str, order: kit_files.Order) -> Callable[[Job], tuple[str, Keys]]:
+    """Work of kit, for any thread: the page of its assembly, and keys of what it was made from."""
     project = design_project_of(design).copy()
     project.name = file_name(design)
-    current = status.status_of(design).kit[0] == status.CURRENT
 
-    def work(job: Job) -> WrittenKit:
-        finished = project.latest("design").design.with_parameters(project.parameters)
-        page = Path(folder) / f"{project.name}-assembly.html"
-        text = native.write_design(finished)
-        if current and kit_files.is_current(Path(folder), text, order) and page.exists():
-            return WrittenKit(str(page))
+    def work(job: Job) -> tuple[str, Keys]:
         results = kit_files.make(project, job)
         if job.stopped or kit_files.write_kit(results, Path(folder), job, order):
             raise Stopped
         records = {name: results.made[name].record for name in kit_files.goals()}
-        return WrittenKit(str(page), Keys(records))
+        return str(Path(folder) / f"{project.name}-assembly.html"), Keys(records)
 
     return work
 

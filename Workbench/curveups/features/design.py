@@ -17,10 +17,10 @@ from .. import __version__
 from ..base.errors import CurveUpsError
 from ..base.findings import Finding, refused
 from ..base.native import native, problem
-from ..base.parameters import table
+from ..base.parameters import without_switches
 from ..project import saved_results
 from ..project.keys import Record, changes, key_of
-from ..project.project import Project, Results
+from ..project.project import Made, Project, Results
 from ..stages import BY_NAME, RISEN, stages_of
 from ..stages.design import FinishedDesign
 from ..stages.following import Earlier
@@ -232,20 +232,15 @@ def settings_of(obj: Any) -> Any:
 
 
 def _base(finished: Any) -> Any:
-    """Parameters that are no property: those of the design, but for stages, which commands choose."""
-    if finished is None:
-        return native.Parameters()
-    parameters, defaults = native.Parameters(finished.design.parameters), native.Parameters()
-    for row in table():
-        if row.level == "switch":
-            parameters.set(row.name, defaults.get(row.name))
-    return parameters
+    """Parameters that are no property."""
+    return without_switches(finished and finished.design)
 
 
 def stored(obj: Any) -> Project:
-    """Results that the document holds, under whatever parameters; see project_of and design_project_of."""
+    """Results that the document holds, under whatever parameters; see project_of and design_project_of. None
+    where they can't be read: the report view says so."""
     if obj.Proxy.project is None:
-        made = saved_results.from_text(obj.Results, obj.Label) if obj.Results else {}
+        made = _read_results(obj)
         given = {name: made[name].result for name in ("source", "cut request") if name in made}
         if "source" not in given and "design" in made:
             given = {"design": made["design"].result}
@@ -255,9 +250,20 @@ def stored(obj: Any) -> Project:
     return cast(Project, obj.Proxy.project)
 
 
+def _read_results(obj: Any) -> dict[str, Made]:
+    import FreeCAD
+
+    try:
+        return saved_results.from_text(obj.Results, obj.Label) if obj.Results else {}
+    except CurveUpsError as error:
+        if problem() is not None:
+            raise
+        FreeCAD.Console.PrintWarning(f"{error}\n")
+        return {}
+
+
 def warnings_of(obj: Any) -> list[Finding]:
-    """Warnings of stored results that are current; the path from flat has a panel of its own. Raises
-    CurveUpsError where they can't be read."""
+    """Warnings of stored results that are current; the path from flat has a panel of its own."""
     made, keys, values = stored(obj).made(), read_keys(obj), properties.values_of(obj)
     return [warning for name in BY_NAME if name in made and name != RISEN
             for warning in made[name].result.warnings()

@@ -29,9 +29,6 @@ from .target import is_target
 __all__ = ["design_of", "design_project_of", "designs", "has_layout", "new_design",
            "project_of", "set_cuts", "set_running", "set_source", "settings_of", "take", "visibility"]
 
-# Pictures of membranes are most of a verification, and are made anew on request.
-_NOT_STORED = ("membranes",)
-
 
 def new_design(document: Any, source: Any, label: str = "") -> Any:
     """Make a Design with nothing solved. `source`: a Part or Mesh object of the document, a file's path or a
@@ -68,7 +65,7 @@ def take(obj: Any, results: Results) -> None:
     made = {**before.given(), **before.made()}
     made.update(_worth_keeping(results, made, solved))
     with translated(before.where):
-        text = saved_results.to_text(made, _NOT_STORED)
+        text = saved_results.to_text(made)
     _complete(obj)
     keys = read_keys(obj)
     if "target" in results:

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Objects below a Design: cuts, layout and forces as lists, which a reopened document draws without the
-native module, and solids."""
+"""Objects below a Design: cuts, layout and forces as lists for scripts, figures, and solids."""
 
 from __future__ import annotations
 

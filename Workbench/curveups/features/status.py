@@ -18,7 +18,7 @@ from ..base.findings import Finding, Style, refused
 from ..base.native import native, problem
 from ..base.parameters import parameter
 from ..project.keys import Record, changes
-from ..project.project import HOLDS
+from ..project.project import HOLDS, VERDICTS
 from ..stages import BY_NAME, RISEN, SETTLED, label_of
 from . import properties
 from .proxy import write
@@ -78,7 +78,6 @@ def digest_of_edges(edges: Any) -> str:
 
 
 EMPTY, CURRENT, OUT_OF_DATE, INVALID, RUNNING = "empty", "current", "out of date", "invalid", "running"
-VERDICTS = {True: "valid", False: "not valid", None: "not judged"}
 GIVEN = ("source", "cut request")  # results that are not made
 _CHANGED = Record(content="changed")  # stands for a given result that is not the stored one
 _NAMED = Style(properties.named)

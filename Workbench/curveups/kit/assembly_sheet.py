@@ -26,7 +26,7 @@ from .ring_sheet import section
 
 
 def make(kit: Kit, kind: str) -> bytes:
-    """As html, which needs nothing beside it, or as pdf."""
+    """Make the sheet as html, which needs no other file, or as pdf."""
     return (_html if kind == "html" else _pdf)(kit)
 
 

@@ -67,8 +67,8 @@ def bed_name(number: int) -> str:
 
 
 def beds(design: Any, model: Any, printer: dict[str, Any], shapes: Any, asked: Asked) -> Optional[Beds]:
-    """None if the print fits as it is, or is too high. model: its native PrintModel; shapes: native
-    TileShapes. Raises native.Cancelled once `asked` says to stop."""
+    """Division of a print; None if it fits as it is, or is too high. model: its native PrintModel; shapes:
+    native TileShapes. Raises native.Cancelled once `asked` says to stop."""
     bed = printer["bed_mm"]
     if fits_bed(model.bbox, printer) or model.bbox[2] > bed[2] or not max(bed) > 0:
         return None
@@ -79,7 +79,7 @@ def beds(design: Any, model: Any, printer: dict[str, Any], shapes: Any, asked: A
 
 
 def _on_one(model: Any, bed: Sequence[float]) -> Optional[list[dict[int, Place]]]:
-    """All as it stands on one bed."""
+    """Places of all pieces as they stand, on one bed."""
     turn = _best_turn(np.concatenate([*_points(model).values()]), bed)
     return None if turn is None else [{piece: turn for piece in range(model.piece_count)}]
 
@@ -118,7 +118,7 @@ def _made(asked: Asked, design: Any, **given: Any) -> Any:
 
 def _fewer_anchors(design: Any, model: Any, bed: Sequence[float], shapes: Any, asked: Asked
                    ) -> Optional[Beds]:
-    """With anchors and slab within the bed, where all tiles with the slab's margin have room there."""
+    """Print whose anchors and slab end at the bed, where all tiles with the slab's margin have room there."""
     if not model.volumes["anchors"]:
         return None
     tiles = np.asarray(shapes.flat)[..., :2].reshape(-1, 2)
@@ -189,8 +189,8 @@ def _grid(corners: np.ndarray, columns: int, rows: int, bed: Sequence[float], ri
 
 
 def _joined(parts: np.ndarray, contacts: np.ndarray) -> np.ndarray:
-    """Connected parts, numbered from 0: a smaller component of a part joins the neighbouring part with which
-    it has most contacts."""
+    """Make parts connected and number them from 0: a smaller component of a part joins the neighbouring part
+    with which it has most contacts."""
     parts = parts.copy()
     while True:
         component = _components(parts, contacts)
@@ -217,7 +217,7 @@ def _components(parts: np.ndarray, contacts: np.ndarray) -> np.ndarray:
 
 
 def _rim(parameters: Any) -> float:
-    """mm that anchors and slab reach beyond the tiles."""
+    """Reach of anchors and slab beyond the tiles, mm."""
     get = parameters.get
     anchors = native.ANCHOR_DISTANCE + 2 * get("anchor_radius") if get("anchors") else 0.0
     return float(anchors + native.SUPPORT_MARGIN)

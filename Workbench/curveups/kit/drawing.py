@@ -100,7 +100,7 @@ def written(drawing: Drawing, kind: str, notes: Sequence[str] = (),
 
 
 def svg(drawing: Drawing) -> bytes:
-    """With a group a layer."""
+    """Draw an SVG with a group for each layer."""
     figure, axes = sheet(*drawing.size)
     draw(axes, drawing)
     stream = io.BytesIO()
@@ -187,7 +187,7 @@ def tiles(drawing: Drawing, paper: str) -> list[tuple[int, int, Box]]:
 
 def tiled_pdf(drawing: Drawing, notes: Sequence[str], go_on: Callable[[], object], say: Language = ENGLISH
               ) -> bytes:
-    """For each paper a cover with the whole and its parts, then the parts at full size."""
+    """Draw, for each paper, a cover with the whole and its parts, then the parts at full size."""
     def pages() -> Iterator[Figure]:
         for paper in PAPERS:
             parts = tiles(drawing, paper)
@@ -283,7 +283,7 @@ def _width(text: str, size: float) -> float:
 
 
 def draw(axes: Any, drawing: Drawing, scale: float = 1.0) -> None:
-    """On axes that have their limits: nothing is measured for these. scale: of letters, sized in points."""
+    """Draw on axes whose limits are set. scale: of letters, sized in points."""
     for layer, lines in drawing.lines.items():
         colour, _, width = LAYERS[layer]
         axes.add_collection(LineCollection(lines, colors=colour, linewidths=width, gid=layer), autolim=False)

@@ -19,7 +19,7 @@ from ..base.output import Folder
 from ..project.project import Project, Results
 from ..report.assembly import GLUE_LAYER, glue_asked, glue_volumes, steps
 from ..report.data import build_report, to_text
-from ..report.exports import Choice, File, doubtful, file_names, plain, run_under
+from ..report.exports import Choice, File, file_names
 from ..report.files import keep_design
 from ..report.shop import has_bridges, latex, quote, rules
 from ..stages import stages_of
@@ -32,6 +32,7 @@ from .kit import Kit
 _T = TypeVar("_T")
 FORMAT, VERSION = "curveups-kit", 1
 KIT = "kit.json"
+_ENDINGS = (".3mf", ".step", ".stl", ".pdf", ".svg", ".dxf")
 
 
 @dataclass(frozen=True)
@@ -44,7 +45,7 @@ class Order:
 
     @property
     def data(self) -> dict[str, Any]:
-        """As kit.json has it."""
+        """Entries of kit.json."""
         return {"quantity": self.quantity, "names": self.mask, "language": self.language}
 
 
@@ -54,12 +55,8 @@ def goals() -> tuple[str, ...]:
 
 
 def make(project: Project, job: Job) -> Results:
-    """Results that a kit is made from. Solids and files say so where the design is not known to be valid."""
-    results = project.run(goals(), job, strict=True)
-    if results.verdict.valid or results.stopped:
-        return results
-    name = doubtful(results.title, results.verdict.valid)
-    return run_under(project, results.design.with_name(name), results.parameters, goals(), job)
+    """Results that a kit is made from."""
+    return project.run(goals(), job, strict=True)
 
 
 def print_names(name: str, parameters: Any, kinds: Sequence[str], order: Order) -> dict[File, str]:
@@ -80,7 +77,7 @@ def _named(name: str, parameters: Any, order: Order, wanted: tuple[File, ...]) -
 def write_kit(results: Results, path: Path, job: Job, order: Order = Order()) -> bool:
     """Writes all files of a kit; True if that was stopped. kit.json is removed first and written last: what
     it does not list, this run did not write."""
-    design = native.write_design(results.design.with_name(plain(results)))
+    design = native.write_design(results.design)
     names = print_names(results.name, results.parameters, results["bodies"].kinds, order)
     report = build_report(results, results.rows(), False, {}, {})
 
@@ -97,6 +94,7 @@ def write_kit(results: Results, path: Path, job: Job, order: Order = Order()) ->
                 report["borders"] = borders
             kit.go_on = partial(job.go_on, "dividing the print among beds")
             kit.go_on()
+            kit.divide()
             if kit.beds:
                 report["beds"] = kit.beds.figures(kit.printer)
                 report["print"] = {**report["print"], **amounts(kit.prints)}
@@ -131,14 +129,16 @@ def _print_files(kit: Kit) -> dict[str, Callable[[], bytes]]:
 
 
 def _earlier(folder: Path, name: str) -> list[str]:
-    """Files of the last kit in a folder that nobody has changed since, and those of beds and frame."""
+    """Files of the last kit in a folder that nobody has changed since, and those of beds and frame that a run
+    without an end has left."""
     listed = _last(folder, lambda contents: {file: str(about["sha256"])
                                              for file, about in contents["files"].items()}, dict[str, str]())
     unchanged = [file for file, known in listed.items()
                  if Path(file).name == file and (folder / file).is_file()
                  and _sum((folder / file).read_bytes()) == known]
     beds = [place.name for pattern in ("bed-[0-9][0-9]*.*", "frame.*")
-            for place in folder.glob(f"{glob.escape(name)}-{pattern}") if place.name not in listed]
+            for place in folder.glob(f"{glob.escape(name)}-{pattern}")
+            if place.name not in listed and place.suffix in _ENDINGS]
     return [*unchanged, *beds]
 
 
@@ -157,7 +157,7 @@ def _contents(kit: Kit, design: str, stopped: bool, order: Order) -> dict[str, A
     printed = {name: value for name, value in report["print"].items() if name != "files"}
     blocks = ("beds", "area", "solids", "sheets", "anchors", "contact_forces", "worst_contacts",
               "joints", "borders")
-    return {"format": FORMAT, "version": VERSION, "name": kit.name, "title": kit.plain_title,
+    return {"format": FORMAT, "version": VERSION, "name": kit.name, "title": kit.results.title,
             "status": "stopped" if stopped else "complete", "design_sha256": _sum(design.encode("utf-8")),
             "valid": report["valid"], "holds": report["holds"], "reasons": report["reasons"],
             **order.data, "tiles": report["tiles"], "contacts": report["contacts"],
@@ -181,9 +181,3 @@ def last_order(folder: Path) -> Order:
     """The order of the kit in a folder; the usual one where there is none."""
     return _last(folder, lambda contents: Order(int(contents["quantity"]), str(contents["names"]),
                                                 Language(contents["language"]).name), Order())
-
-
-def is_current(folder: Path, design: str, order: Order = Order()) -> bool:
-    """True if the kit in a folder is whole and of this design (the text of design.json) and order."""
-    known = {"design_sha256": _sum(design.encode("utf-8")), "status": "complete", **order.data}
-    return _last(folder, lambda contents: known == {name: contents[name] for name in known}, False)

@@ -104,7 +104,7 @@ class Former:
 
     @property
     def size(self) -> tuple[float, float]:
-        """mm along u and v."""
+        """Extent along u and v, mm."""
         u, v = self.heights.shape
         return (u - 1) * self.step, (v - 1) * self.step
 

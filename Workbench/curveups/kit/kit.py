@@ -15,7 +15,7 @@ from ..base.errors import Stopped
 from ..base.language import ENGLISH, Language
 from ..base.native import native
 from ..project.project import Results
-from ..report.exports import File, doubtful, plain
+from ..report.exports import File, doubtful
 from ..stages.cut_request import sides_of_edges
 from ..stages.solids import read_printer
 from .beds import Beds, bed_name, beds
@@ -39,6 +39,7 @@ class Kit:
     go_on: Callable[[], object] = lambda: None
     say: Language = ENGLISH
     pictures: dict[str, bytes] = field(default_factory=dict)  # drawn for steps of the assembly
+    beds: Optional[Beds] = None  # of a print that does not fit one
 
     @property
     def name(self) -> str:
@@ -48,11 +49,7 @@ class Kit:
     @property
     def title(self) -> str:
         """Title of the design on every sheet, in any letters; says first that it is not valid."""
-        return doubtful(self.plain_title, self.report["valid"])
-
-    @property
-    def plain_title(self) -> str:
-        return plain(self.results)
+        return doubtful(self.results.title, self.report["valid"])
 
     @property
     def whole(self) -> list[str]:
@@ -91,11 +88,11 @@ class Kit:
         """The native PrintModel of each bed."""
         return [self.model] if self.beds is None else list(map(self.beds.bed, range(len(self.beds.places))))
 
-    def written(self, model: Any, ending: str, kind: str) -> bytes:
-        """A file of a native PrintModel. Raises Stopped, native.Cancelled."""
+    def written(self, model: Any, ending: str, kind: str, title: str = "") -> bytes:
+        """A file of a native PrintModel; title: by default the kit's. Raises Stopped, native.Cancelled."""
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / f"print.{ending}"
-            model.write(ending, kind, str(path), self.asked)
+            model.write(ending, kind, str(path), self.asked, title or self.title)
             return path.read_bytes()
 
     def asked(self, *_: Any) -> bool:
@@ -116,11 +113,9 @@ class Kit:
         """Sizes and strength of the stretching rings."""
         return rings(self.report["sheets"], self.report["print"]["bbox_mm"][2], self.printer["bed_mm"])
 
-    @cached_property
-    def beds(self) -> Optional[Beds]:
-        """Division of the print among beds; None where it fits one. Raises native.Cancelled."""
-        design = self.results.design.with_parameters(self.results.parameters)
-        return beds(design, self.model, self.printer, self.shapes, self.asked)
+    def divide(self) -> None:
+        """Divide the print among beds where it does not fit one. Raises native.Cancelled."""
+        self.beds = beds(self.results.design, self.model, self.printer, self.shapes, self.asked)
 
     @cached_property
     def formers(self) -> list[Former]:

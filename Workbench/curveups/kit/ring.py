@@ -45,12 +45,12 @@ def teeth(block: Mapping[str, Any], side: str) -> np.ndarray:
 
 
 def frame_width(block: Mapping[str, Any]) -> float:
-    """mm on each side of the window: the teeth of either ring and a rim."""
+    """Width of the frame around the window, mm: the teeth of either ring and a rim."""
     return float((block["tooth_rows"] + 0.5) * block["tooth_pitch_mm"] + RIM)
 
 
 def outer_size(block: Mapping[str, Any]) -> list[float]:
-    """mm, x and y."""
+    """Size of a ring, x and y, mm."""
     return [size + 2 * frame_width(block) for size in block["window_mm"]]
 
 

@@ -50,7 +50,7 @@ def shop_page(kit: Kit) -> bytes:
 
 
 def _list(kit: Kit, page: Any, top: float, files: Sequence[str]) -> float:
-    """Down from `top`, mm; where they end."""
+    """Write the files down from `top`, mm. Return the end."""
     top = write(page, BORDER, top, [kit.say("Files, in mm, with bytes and SHA-256:")], 8)
     return write(page, BORDER, top, files, 5.5)
 
@@ -60,7 +60,7 @@ fused in the name.""")
 
 
 def _doubts(kit: Kit) -> list[str]:
-    """Why nobody should print it; none where the design is valid."""
+    """Reasons not to print it; none where the design is valid."""
     if kit.report["valid"]:
         return []
     why = kit.say("Do not order it as it is: the design is not valid.") if kit.report["valid"] is False else \

@@ -7,7 +7,6 @@ never set. One thread at a time works; others may read meanwhile.
 
 from __future__ import annotations
 
-import threading
 import time
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -23,6 +22,7 @@ from ..stages.design import FinishedDesign
 from ..stages.stage import Inputs, Job, Picture, Result, Row, Stage, digest
 from .keys import Key, Record, changes, differences, fixed_parameters, key_of
 
+VERDICTS = {True: "valid", False: "not valid", None: "not judged"}
 HOLDS = {True: "holds", False: "does not hold", None: "not settled"}
 
 
@@ -38,8 +38,7 @@ class Verdict:
     @property
     def word(self) -> str:
         """Words for valid and holds, which are shown together."""
-        valid = {True: "valid", False: "not valid", None: "not judged"}[self.valid]
-        return f"{valid}, {HOLDS[self.holds]}"
+        return f"{VERDICTS[self.valid]}, {HOLDS[self.holds]}"
 
 
 def judge(results: Mapping[str, Any], note: Optional[Finding] = None) -> Verdict:
@@ -147,7 +146,6 @@ class Project:
         # Both are replaced whole, never changed: other threads may read them at any time.
         self._given: Mapping[str, Made] = {key: Made(result) for key, result in given.items()}
         self._made: Mapping[str, Made] = dict(known or {})
-        self._working = threading.RLock()
         self._parameters = self._checked(parameters)
 
     @classmethod
@@ -174,17 +172,10 @@ class Project:
         twin._given = self._given
         return twin
 
-    def forget_stopped(self) -> None:
-        """Drops results of stopped work, so that they are made anew."""
-        self._made = {name: made for name, made in self._made.items() if not made.result.stopped}
-
-    def forget(self, name: str) -> None:
-        """Drops the result of a stage, so that it is made anew."""
-        self._made = {other: made for other, made in self._made.items() if other != name}
-
-    def forget_out_of_date(self) -> None:
-        """Drops results whose inputs have changed."""
-        self._made = {name: made for name, made in self._made.items() if self.out_of_date(name) == ()}
+    def forget(self, names: Iterable[str]) -> None:
+        """Drops results of stages, so that they are made anew."""
+        dropped = set(names)
+        self._made = {name: made for name, made in self._made.items() if name not in dropped}
 
     def given(self) -> Mapping[str, Made]:
         """Given results."""
@@ -211,13 +202,12 @@ class Project:
         A stage that fails or is stopped ends in its result for that (Stage.on_failure, on_stop), if any.
         strict: failures are raised. Raises CurveUpsError, and Stopped without a result.
         """
-        with self._working:
-            run = _Run(self._parameters, dict(self._given), self._made, self.where, job or Job(), strict)
-            try:
-                for goal in goals:
-                    run.make(goal)
-            finally:
-                self._made = {**self._made, **run.lasting}
+        run = _Run(self._parameters, dict(self._given), self._made, self.where, job or Job(), strict)
+        try:
+            for goal in goals:
+                run.make(goal)
+        finally:
+            self._made = {**self._made, **run.lasting}
         made = {name: run.made[name] for name in (*self._given, *BY_NAME) if name in run.made}
         stopped = run.job.stopped or any(item.result.stopped for item in made.values())
         return Results(self.name, run.decided(made), made, note, stopped)

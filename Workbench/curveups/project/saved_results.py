@@ -8,7 +8,7 @@ import base64
 import binascii
 import dataclasses
 import json
-from typing import Any, Callable, Collection, Hashable, Mapping, Sequence
+from typing import Any, Callable, Hashable, Mapping, Sequence
 
 import numpy as np
 
@@ -21,9 +21,8 @@ from .project import Made
 FORMAT, VERSION = "curveups-results", 1
 
 
-def to_text(made: Mapping[str, Made], without: Collection[str] = ()) -> str:
-    """Text of all lasting results. without: names of fields to leave out (pictures of membranes are most of a
-    verification)."""
+def to_text(made: Mapping[str, Made]) -> str:
+    """Text of all lasting results, but for transient fields."""
     shared: list[Any] = []  # arrays, designs and values, each once; indices stand for them elsewhere
     places: dict[Hashable, int] = {}
 
@@ -37,7 +36,7 @@ def to_text(made: Mapping[str, Made], without: Collection[str] = ()) -> str:
         if isinstance(value, Value):
             return share(id(value), lambda: {"value": type(value).__name__, "fields": {
                 field.name: encode(getattr(value, field.name)) for field in dataclasses.fields(value)
-                if field.name not in without and not field.metadata.get("transient")}})
+                if not field.metadata.get("transient")}})
         if isinstance(value, native.Design):
             text = native.write_design(value)
             return share(text, lambda: {"design": text})

@@ -69,7 +69,7 @@ def row(figure: TileFigure, blocked: Sequence[Obstacle], number: Callable[[float
 
 
 def advice(results: Results) -> list[Finding]:
-    """On the limits of sizes."""
+    """Findings on the limits of sizes."""
     get = results.parameters.get
     return list(results["sizes"].findings(get("L"), get("H_body")))
 

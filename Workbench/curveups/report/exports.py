@@ -8,7 +8,7 @@ import string
 from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, Callable, Iterable, Mapping, Optional, Sequence
+from typing import Callable, Iterable, Mapping, Optional
 
 from ..base.errors import CurveUpsError, Stopped, named_tiles
 from ..base.findings import Finding
@@ -16,7 +16,6 @@ from ..base.native import native, translated
 from ..base.output import Folder, safe_name
 from ..project.project import Made, Project, Results
 from ..stages import stages_of
-from ..stages.design import FinishedDesign
 from ..stages.stage import Block, Job
 from .files import REPORTS, write_bodies, write_reports
 
@@ -84,17 +83,17 @@ def write_export(project: Project, folder: Path, choice: Choice, job: Job) -> Fo
     if not choice.files:
         raise CurveUpsError("no file is chosen", project.where, "choose a body and a format")
     names = file_names(project.name, choice)
-    results = _printed(project, choice, job)
+    results = _printed(project, choice.deviation, job)
     broken = [reason for stage in stages_of("print") for reason in results[stage].reasons()]
     if broken and not choice.insist:
         raise _doubtful(broken[0], project)
     with Folder(folder) as place, translated(project.where):
         place.remove(*REPORTS)
         place.write_text("design.json", native.write_design(results.design))
-        bodies = results["bodies"]
+        bodies, title = results["bodies"], doubtful(results.title, False) if choice.doubts else None
         for (kind, ending), file in names.items():
             if kind in (*bodies.kinds, "print", "actuated"):
-                write_bodies(place, file, bodies.model, kind, job)
+                write_bodies(place, file, bodies.model, kind, job, title)
         if choice.reports:
             write_reports(_with(results, choice.doubts), place)
     return place
@@ -125,45 +124,25 @@ def report(project: Project, folder: Path, doubts: Iterable[Finding], job: Job) 
 
 def doubtful(title: str, valid: Optional[bool]) -> str:
     """The title that files carry inside: of a design that should not be printed it says so first."""
-    return f"{_DOUBTS[valid]}{title}"
-
-
-def plain(results: Results) -> str:
-    """The design's title without that."""
-    return results.title.removeprefix(_DOUBTS[results.verdict.valid])
-
-
-_DOUBTS = {True: "", False: "NOT VALID ", None: "NOT VERIFIED "}
+    return {True: "", False: "NOT VALID ", None: "NOT VERIFIED "}[valid] + title
 
 
 def _doubtful(why: Finding, project: Project) -> CurveUpsError:
     return CurveUpsError(str(why), project.where, "mend that, or insist on the files", finding=why)
 
 
-def _printed(project: Project, choice: Choice, job: Job) -> Results:
-    """Solids under the title and deviation of the files; verification as far as it is current."""
-    parameters = project.parameters
-    if choice.deviation is not None:
-        with translated("mesh_deviation"):
-            parameters.set("mesh_deviation", choice.deviation)
-    design = project.latest("design").design
-    named = design.with_name(doubtful(design.name, False)) if choice.doubts else design
+def _printed(project: Project, deviation: Optional[float], job: Job) -> Results:
+    """Bodies whose bumps have this deviation; verification as far as it is current."""
     goals = (*_current(project, stages_of("verify")), *stages_of("print"))
-    results = run_under(project, named, parameters, goals, job, Finding("unverified.export"))
+    printed, parameters = project.copy(), project.parameters
+    if deviation is not None:
+        with translated("mesh_deviation"):
+            parameters.set("mesh_deviation", deviation)
+        printed.parameters = parameters
+    results = printed.run(goals, job, True, Finding("unverified.export"))
     if job.stopped:
         raise Stopped
     return results
-
-
-def run_under(project: Project, design: Any, parameters: Any, goals: Sequence[str], job: Job,
-              note: Optional[Finding] = None) -> Results:
-    """Results of a project's design under the title that `design` has, which labels, solids and files carry;
-    what does not depend on it is taken over. Files are named as before."""
-    known = {name: result for name, result in project.made().items()
-             if name not in (*stages_of("print"), "design")}
-    given = {"design": FinishedDesign(design, None, project.latest("design").unsettled)}
-    results = Project(design.name, parameters, given, project.where, known).run(goals, job, True, note)
-    return replace(results, name=safe_name(project.name))
 
 
 def _current(project: Project, names: Iterable[str]) -> tuple[str, ...]:

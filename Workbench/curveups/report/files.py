@@ -73,10 +73,12 @@ def _write_all_bodies(results: Results, folder: Folder, job: Job) -> None:
                 write_bodies(folder, f"{results.name}-{kind}.{form.ending}", bodies.model, kind, job)
 
 
-def write_bodies(folder: Folder, name: str, model: Any, kind: str, job: Job) -> None:
-    """Writes bodies of a kind of a native PrintModel in the format of the name's ending."""
+def write_bodies(folder: Folder, name: str, model: Any, kind: str, job: Job,
+                 title: Optional[str] = None) -> None:
+    """Write bodies of a kind of a native PrintModel in the format of the name's ending. title: stands inside
+    of the file; by default the model's name."""
     job.go_on(f"writing {name}")
-    folder.write(name, lambda place: model.write(name.rpartition(".")[2], kind, str(place), job))
+    folder.write(name, lambda place: model.write(name.rpartition(".")[2], kind, str(place), job, title))
 
 
 def write_verification(results: Results, design: Any, path: Path) -> None:

@@ -255,7 +255,7 @@ def stretch_view(membranes: Sequence[Any], width: float = 10.0) -> bytes:
 
 
 def _scale(membranes: Sequence[Any]) -> Normalize:
-    """From the first to the 99th hundredth of what carries tension: single triangles at corners of
+    """Range from the first to the 99th hundredth of what carries tension: single triangles at corners of
     pins stretch much further and would leave one colour for all others."""
     carried = [np.asarray(m["stretch"])[np.asarray(m["tension"]) != SLACK, 0] for m in membranes]
     values = np.concatenate(carried)

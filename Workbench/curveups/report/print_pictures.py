@@ -87,7 +87,7 @@ def draw_print(axes: Any, model: Any, bed: Sequence[float] = (), say: Language =
 
 def _draw_bed(axes: Any, size: tuple[float, float], bed: Sequence[float], letters: float, say: Language
               ) -> None:
-    """How much of the bed the print takes, as two rectangles. letters: their size, points."""
+    """Draw the bed and the print on it as two rectangles. letters: their size, points."""
     for (w, h), style in (((bed[0], bed[1]), {"fill": False, "linestyle": "--"}),
                           (size, {"facecolor": "#d9cfb8"})):
         axes.add_patch(Rectangle((-w / 2, -h / 2), w, h, edgecolor=LINE, linewidth=0.8, **style))

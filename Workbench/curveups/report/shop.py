@@ -154,7 +154,7 @@ def latex(report: Mapping[str, Any], parameters: Any, say: Language = ENGLISH) -
 
 
 def print_picture(results: Results) -> Optional[Picture]:
-    """All that is printed, where there are solids."""
+    """Picture of all that is printed, where there are solids."""
     if not has_solids(results):
         return None
     model, printer = results["bodies"].model, read_printer(results.parameters.get("printer"))

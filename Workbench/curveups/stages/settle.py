@@ -48,7 +48,6 @@ class Settled(Result):
     iterations: int = 0
     design: Any = None                 # native Design, for the picture
     deviation: Any = ()                # per tile, mm
-    contact_force: Any = ()            # per contact, normal, N
 
     def report(self) -> dict[str, Any]:
         window = {"window": [row.report() for row in self.window]} if self.window else {}
@@ -94,8 +93,7 @@ def _run(inputs: Inputs, job: Job) -> Settled:
     return Settled(settled.holds, settled.block, failure, margin.block, settled.friction_needed.block,
                    tuple(beyond), tuple(map(_range, settled.window)),
                    _open(inputs, Finding("margin.unknown")) if margin.met is None else None,
-                   settled.iterations, design, np.asarray(settled.deviation),
-                   np.asarray(settled.contact_force))
+                   settled.iterations, design, np.asarray(settled.deviation))
 
 
 def _range(window: Any) -> Range:

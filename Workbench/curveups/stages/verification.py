@@ -27,7 +27,8 @@ class Verification(Result):
     complete: bool = True              # False without a verdict: weak points end the work early
     design: Any = None                 # native Design, for pictures
     arrays: Mapping[str, np.ndarray] = field(default_factory=dict)  # per contact and per tile
-    membranes: tuple[Mapping[str, np.ndarray], ...] = ()  # front and back, for pictures
+    # Front and back, for pictures: most of a verification, made anew on request.
+    membranes: tuple[Mapping[str, np.ndarray], ...] = field(default=(), metadata={"transient": True})
     # Native SolvedDesign, from which repair and settling start; None in a saved result.
     solved: Any = field(default=None, compare=False, metadata={"transient": True})
 

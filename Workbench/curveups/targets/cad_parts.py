@@ -21,7 +21,7 @@ _MOST_SEWN = 400    # faces: sewing with a tolerance takes the square of their n
 
 @dataclass(frozen=True)
 class Choice:
-    """As the parameters of these names say (parameter_texts.hpp)."""
+    """Values of the parameters of these names."""
 
     skin: str = "outer"
     faces: str = ""

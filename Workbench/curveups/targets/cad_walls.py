@@ -94,8 +94,8 @@ class _Samples:
         self.face = np.concatenate([np.zeros(0, int), *numbers])[sound]
 
     def opposite(self) -> tuple[np.ndarray, np.ndarray]:
-        """From each sample inwards: the distance of the first triangle, NaN where it does not look away, and
-        the number of its face. Of many samples only the largest of each face have a distance and an area."""
+        """Distance of the first triangle from each sample inwards, NaN where it does not look away, and the
+        number of its face. Of many samples only the largest of each face have a distance and an area."""
         count = len(self.points)
         distance, hit = np.full(count, np.nan), np.full(count, -1)
         if count > _MOST_TRIANGLES:
@@ -163,7 +163,7 @@ def _meetings(faces: Sequence[Any]) -> Iterator[tuple[int, int, float, bool]]:
 
 def _two_sides(skin: np.ndarray, meetings: Sequence[tuple[int, int, float, bool]], face: np.ndarray,
                hit: np.ndarray, area: np.ndarray) -> Optional[np.ndarray]:
-    """0 and 1 for faces of the two skins, -1 for others: neighbours are of one skin, faces that lie opposite
+    """Number the skins of faces, 0 and 1, -1 for others: neighbours are of one skin, faces that lie opposite
     one another of different ones."""
     count = len(skin)
     opposite = np.zeros((count, count))

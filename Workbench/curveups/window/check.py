@@ -47,6 +47,7 @@ class CheckPanel(Panel):
         super().__init__(design, "check")
         self._results: Optional[Results] = None
         self._drawn: tuple = ()
+        self._tasks: list[Task] = []  # that this panel has started
         form = self.form
         fit_columns(form.margins, 0)
         fit_columns(form.obstacles)
@@ -64,8 +65,7 @@ class CheckPanel(Panel):
 
     def end(self) -> None:
         if not self._overlay.closed:
-            if LIVE.runs_on(self.design):
-                LIVE.cancel()
+            LIVE.withdraw(self._tasks, silent=False)
             self._overlay.show_target(False)
 
     def check(self) -> None:
@@ -75,12 +75,12 @@ class CheckPanel(Panel):
 
     def _start(self) -> None:
         with errors_shown(translate("CurveUps_Check", "Check")):
-            run.start("check", self.design)
+            self._tasks.append(run.start("check", self.design))
 
     def _find(self) -> None:
         self.say("")
         with errors_shown(translate("CurveUps_Check", "Find Sizes")):
-            run.start("find_sizes", self.design, self._fill)
+            self._tasks.append(run.start("find_sizes", self.design, self._fill))
 
     def show(self) -> None:
         scene = self._overlay.scene
@@ -186,12 +186,12 @@ class CheckPanel(Panel):
 
     def _choose(self) -> None:
         self.say("")
-        choose_sizes(self.design, ("L", "H_body"), self._start)
+        self._tasks += choose_sizes(self.design, ("L", "H_body"), self._start)
 
 
-def choose_sizes(design: Any, names: tuple[str, ...], done: Any = None) -> None:
+def choose_sizes(design: Any, names: tuple[str, ...], done: Any = None) -> list[Task]:
     """Start solving for sizes, the largest first, and set the first with a valid design, as one step of undo.
-    `done` is called then."""
+    `done` is called then. Return the task, or none where it can't start."""
     title = translate("CurveUps_Check", "Choose Sizes")
 
     def finish(obj: Any, choice: SizeChoice) -> None:
@@ -199,8 +199,11 @@ def choose_sizes(design: Any, names: tuple[str, ...], done: Any = None) -> None:
         obj.Document.recompute()
         show_line("; ".join(shown(finding, False) for finding in choice.findings()))
 
+    tasks: list[Task] = []
     with errors_shown(title):
-        LIVE.start(design, Task(title, actions.sizes_work(design, names), finish, told=done))
+        tasks.append(Task(title, actions.sizes_work(design, names), finish, told=done))
+        LIVE.start(design, tasks[0])
+    return tasks
 
 
 def _size_to_use(name: str, results: Optional[Results]) -> Optional[float]:

@@ -10,6 +10,7 @@ from typing import Any, Callable, Iterable, Optional
 import FreeCAD
 import numpy as np
 
+from ..base.errors import CurveUpsError
 from ..features import document
 from ..features.actions import transaction
 from ..features.status import CURRENT, status_of
@@ -18,7 +19,7 @@ from ..stages.cut_request import CutRequest
 from ..stages.stage import Job
 from . import run
 from .cut_paths import CutPaths, Edge, groups
-from .notice import errors_shown
+from .notice import errors_shown, rich
 from .overlay.picking import CutLines, Pick, PickTool
 from .panel import Panel, fit_columns, put
 from .qt import QtCore, QtWidgets, translate
@@ -37,13 +38,13 @@ class CutLayout:
         # Layouts stay where the camera looks, and as they lay: as the one before, else as the target.
         self._before = V[F][..., :2] if self.of_target else np.asarray(finished.design.T)
         self._last: Optional[tuple[np.ndarray, np.ndarray]] = None
+        self._tasks: list[Task] = []  # the last one
         self.seconds = 0.0
 
     def start(self, edges: np.ndarray, done: Callable[[], None]) -> None:
         """Lay out with these cuts, C x 2, and those of pieces, in place of a layout that runs already.
         `done` is called in the window's thread after the run's end."""
-        if LIVE.runs_on(self._design):
-            LIVE.cancel(silent=True)
+        self.stop()
         begin, twin = time.perf_counter(), self._project.copy()
         twin.give("cut request", CutRequest(edges=np.asarray(edges, np.int32).reshape(-1, 2)))
 
@@ -59,7 +60,12 @@ class CutLayout:
             self._last, self._before = layout, layout[0]
             self.seconds = time.perf_counter() - begin
 
-        LIVE.start(self._design, Task(translate("CurveUps_Cuts", "Lay out"), work, finish, told=done))
+        self._tasks = [Task(translate("CurveUps_Cuts", "Lay out"), work, finish, told=done)]
+        LIVE.start(self._design, self._tasks[0])
+
+    def stop(self) -> None:
+        """Stop a layout that runs."""
+        LIVE.withdraw(self._tasks)
 
     def show(self, overlay: Any) -> None:
         """Draw the last layout."""
@@ -91,6 +97,7 @@ class CutsPanel(Panel):
         self._listed: Any = None             # cuts in the list, and its schema of units
         self._search: Any = None
         self._layout: Optional[CutLayout] = None
+        self._tasks: list[Task] = []  # that this panel has started, but for layouts
         self._lines = CutLines(self._overlay)
         self._tool: Optional[PickTool] = None
         self.on_clicks(anew=self._begin_anew, remove=self._remove, suggest=self._suggest,
@@ -110,6 +117,7 @@ class CutsPanel(Panel):
     def end(self) -> None:
         FreeCAD.removeDocumentObserver(self)
         self._stop_layout()
+        LIVE.withdraw(self._tasks)
         if self._tool is not None:
             self._tool.close()
         if not self._overlay.closed:
@@ -142,7 +150,8 @@ class CutsPanel(Panel):
             self._begin(project)
             return
         self.say(translate("CurveUps_Cuts", "The target is being divided into tiles: click edges after that"))
-        run.start("divide", self.design, lambda: self._begin(document.project_of(self.design)))
+        self._tasks.append(run.start("divide", self.design,
+                                     lambda: self._begin(document.project_of(self.design))))
 
     def _begin(self, project: Any) -> None:
         self._paths = CutPaths(project.latest("target smoothing").V, project.latest("target").F)
@@ -153,7 +162,12 @@ class CutsPanel(Panel):
         self.update()
 
     def _edges(self) -> list[Edge]:
-        return [(min(edge), max(edge)) for edge in document.cuts_of(self.design).tolist()]
+        """Cuts of the design; none, and a message, where the property has no edges of the target."""
+        try:
+            return [(min(edge), max(edge)) for edge in document.cuts_of(self.design).tolist()]
+        except CurveUpsError as error:
+            self.say(rich(error))
+            return []
 
     def _set(self, edges: Iterable[Edge], what: str) -> None:
         """Set the cuts, as one step of undo."""
@@ -257,8 +271,9 @@ class CutsPanel(Panel):
                 if not search.cuts:
                     self.say(translate("CurveUps_Cuts", "Found no cut that is worth making"))
 
-            LIVE.start(self.design, Task(title, lambda job: twin.run(("cut search",), job)["cut search"],
-                                         finish))
+            task = Task(title, lambda job: twin.run(("cut search",), job)["cut search"], finish)
+            LIVE.start(self.design, task)
+            self._tasks.append(task)
 
     def _list_suggestions(self) -> None:
         tree, cuts = self.form.suggested, self._search.cuts if self._search is not None else ()
@@ -313,8 +328,8 @@ class CutsPanel(Panel):
         self._draw()
 
     def _stop_layout(self) -> None:
-        if LIVE.runs_on(self.design):
-            LIVE.cancel(silent=True)
+        if self._layout is not None:
+            self._layout.stop()
 
     def run_changed(self, status: Status, running: bool) -> None:
         if running:

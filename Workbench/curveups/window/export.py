@@ -18,7 +18,7 @@ from ..features import actions
 from ..features.document import settings_of
 from ..features.properties import quantity
 from ..features.proxy import HIDDEN
-from ..features.status import OUT_OF_DATE
+from ..features.status import OUT_OF_DATE, Keys
 from ..kit.files import Order, last_order, print_names
 from ..report.exports import Choice, all_names, choices
 from ..stages.solids import KINDS
@@ -210,7 +210,7 @@ class KitPanel(_FilesPanel):
             folder, order = self._folder(), self.order()
             self._names()  # refuses wrong ones before anything starts
 
-            def written(design: Any, kit: actions.WrittenKit) -> None:
+            def written(design: Any, kit: tuple[str, Keys]) -> None:
                 run.finish("kit", design, kit, repr(folder), f"quantity={order.quantity}",
                            f"mask={order.mask!r}", f"language={order.language!r}")
                 self._show_links()

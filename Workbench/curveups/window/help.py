@@ -16,7 +16,7 @@ import FreeCADGui
 from .. import __version__
 from ..base.errors import CurveUpsError
 from ..base.native import native
-from .notice import show_box
+from .notice import show_box, words_of
 from .qt import RESOURCES, QtCore, QtGui, QtWidgets, translate
 
 _WIDTH = 640  # of pictures, px
@@ -63,21 +63,14 @@ def solver_status() -> list[tuple[str, str]]:
     try:
         threads = native.thread_count()
     except CurveUpsError as error:
-        rows += [(state, error.what),
-                 (translate("CurveUps_SolverStatus", "Remedy"), _remedy(folder)),
+        rows += [(state, words_of(error.what)),
+                 (translate("CurveUps_SolverStatus", "Remedy"), words_of(error.remedy)),
                  (translate("CurveUps_SolverStatus", "Meanwhile"),
                   translate("CurveUps_SolverStatus", "designs can be opened, shown and exported as they are "
                                                      "stored"))]
     else:
         rows.append((state, translate("CurveUps_SolverStatus", "ready; threads: {count}", count=threads)))
     return rows
-
-
-def _remedy(folder: Path) -> str:
-    setup = folder.parents[1] / "tools" / "setup"
-    if setup.is_file():
-        return translate("CurveUps_SolverStatus", "run {command}, then start FreeCAD again", command=setup)
-    return translate("CurveUps_SolverStatus", "install the package for this FreeCAD's Python again")
 
 
 def show_solver_status(_: Any) -> None:

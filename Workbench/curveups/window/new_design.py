@@ -8,6 +8,7 @@ from typing import Any, Optional
 import FreeCAD
 import FreeCADGui
 
+from ..base.errors import CurveUpsError
 from ..features.actions import transaction
 from .notice import errors_shown
 from .panel import obstacle, show
@@ -78,9 +79,13 @@ def make_design(document: Any, source: str, faces: str = "") -> Any:
 
 
 def selected_surface() -> Optional[Any]:
-    """The only selected Mesh or Part object with faces."""
+    """The selected Mesh or Part object with faces, if any. Raises CurveUpsError where several are."""
     surfaces = list(filter(_has_faces, FreeCADGui.Selection.getSelection()))
-    return surfaces[0] if len(surfaces) == 1 else None
+    if len(surfaces) > 1:
+        raise CurveUpsError(
+            translate("CurveUps_NewDesign", "{count} surfaces are selected", count=len(surfaces)),
+            ", ".join(surface.Label for surface in surfaces), translate("CurveUps_NewDesign", "select one"))
+    return surfaces[0] if surfaces else None
 
 
 def _selected_faces(obj: Any) -> str:

@@ -51,12 +51,12 @@ def show_error(error: Exception, what: str = "") -> None:
             kind=type(error).__name__, said=" ".join(str(error).split())))
     FreeCAD.Console.PrintError(f"CurveUps{f', {what}' if what else ''}: {error}\n")
     if _panel is not None:
-        _panel(_rich(error))
+        _panel(rich(error))
     else:
-        show_box("CurveUpsNotice", "CurveUps", _rich(error))
+        show_box("CurveUpsNotice", "CurveUps", rich(error))
 
 
-def _rich(error: CurveUpsError) -> str:
+def rich(error: CurveUpsError) -> str:
     """Rich text of an error in the user's language, with links to its tiles."""
     what, remedy = (escape(words_of(text), quote=False) for text in (error.what, error.remedy))
     if error.finding is not None:

@@ -13,7 +13,7 @@ from __future__ import annotations
 import time
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any, Callable, Optional
+from typing import Any, Callable, Iterable, Optional
 
 import FreeCAD
 import FreeCADGui
@@ -127,6 +127,11 @@ class Live:
             self._silent = silent
             WORKER.cancel()
             WORKER.poll()
+
+    def withdraw(self, tasks: Iterable[Task], silent: bool = True) -> None:
+        """Cancel the run if it is one of these tasks."""
+        if any(task is self._task for task in tasks):
+            self.cancel(silent)
 
     def quit(self) -> None:
         """FreeCAD ends: no thread may be left in the native module."""
@@ -392,7 +397,7 @@ def reason(which: str, design: Any) -> str:
     return ""
 
 
-def start(which: str, design: Any, told: Optional[Callable[[], None]] = None) -> None:
+def start(which: str, design: Any, told: Optional[Callable[[], None]] = None) -> Task:
     """Start a run on the worker. When it ends, the document takes its results, and `told` is called. Raises
     CurveUpsError where it can't start."""
     wrong = reason(which, design)
@@ -401,7 +406,9 @@ def start(which: str, design: Any, told: Optional[Callable[[], None]] = None) ->
     command = "".join(word.capitalize() for word in which.split("_"))
     title = translate(f"CurveUps_{command}", actions.RUNS[which].title)
     project, work = actions.prepare(which, design, settles=False)  # settled forces follow by themselves
-    LIVE.start(design, Task(title, work, partial(finish, which), project, told))
+    task = Task(title, work, partial(finish, which), project, told)
+    LIVE.start(design, task)
+    return task
 
 
 def finish(which: str, design: Any, value: Any, *arguments: str) -> None:

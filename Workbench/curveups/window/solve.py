@@ -13,7 +13,6 @@ from typing import Any, Callable
 import FreeCAD
 
 from ..base import profiles
-from ..base.errors import CurveUpsError
 from ..base.findings import first_of_each_kind
 from ..features import properties
 from ..features.actions import transaction
@@ -137,7 +136,6 @@ class SolvePanel(Panel):
         self._rows.flush()
         with errors_shown(translate("CurveUpsSolve", "Parameters")):
             call(function, named(self.design), *map(repr, names))
-            self.design.Document.recompute()
 
     def _automatic(self, name: str) -> Any:
         """The button beside a size that looks for the largest value of a valid design."""
@@ -192,16 +190,13 @@ class SolvePanel(Panel):
         self._rows.show()
 
     def _tiling(self) -> list[str]:
-        """How tiles came that follow earlier ones; others are warned of."""
+        """Line on tiles that follow earlier ones; others are warned of."""
         tiles = stored(self.design).latest("target") if self.design.Tiling else None
         return [shown(tiles.tiling)] if tiles and tiles.followed_along else []
 
     def _warnings(self) -> list[str]:
         """The first warning of each kind."""
-        try:
-            warnings = first_of_each_kind(warnings_of(self.design))
-        except CurveUpsError:  # the results are damaged, as Status says
-            return []
+        warnings = first_of_each_kind(warnings_of(self.design))
         more = translate("CurveUpsSolve", " ({count} more)")
         return [translate("CurveUpsSolve", "Warning: {what}", what=shown(finding))
                 + (more.format(count=others) if others else "") for finding, others in warnings[:_MOST]]

@@ -14,7 +14,7 @@ namespace {
 std::array<RestState, 2> relax_mismatched(const TileBodies& bodies, const SolvedDesign& solved,
                                           const TriangleMesh& target) {
   std::array<RestState, 2> out;
-  parallel_each(2, [&](int s) {
+  parallel_for(2, [&](int s) {
     std::array<double, 2> pull = {1, 1};
     pull[s] += membrane_mismatch;
     TileWorld world = make_tile_world(bodies, solved, pull);

@@ -7,20 +7,6 @@
 #include "curveups/physics/membrane_domain.hpp"
 
 namespace curveups {
-namespace {
-
-// Pin corners, 3 a tile, with the tiles at these poses.
-Points3 pin_corners(const TileBodies& bodies, const Points3& centres, const Poses& tiles,
-                    Side side) {
-  Points3 out =
-      actuated_pin_corners(bodies.geometry.tiles, bodies.q, side, bodies.parameters.H_pin);
-  for (Eigen::Index c = 0; c < out.rows(); ++c) {
-    out.row(c) = tiles[c / 3](out.row(c) - centres.row(c / 3)).transpose();
-  }
-  return out;
-}
-
-}  // namespace
 
 Poses flat_tiles(const TileBodies& bodies) {
   const TileMesh& tiles = bodies.geometry.tiles;
@@ -66,26 +52,23 @@ std::vector<RigidMotion> frame_motions(const FrameRows& rows, int tile_count) {
   return out;
 }
 
-Poses piece_poses(const TileBodies& bodies, const Poses& tiles) {
-  const TileMesh& mesh = bodies.geometry.tiles;
-  const Points3 centres = tile_centres(mesh);
+Poses piece_poses(const TileWorld& piece, const Poses& tiles) {
   Poses out = tiles;
   for (Side side : {Side::front, Side::back}) {
-    const Poses nodes = membrane_nodes(mesh, side, pin_corners(bodies, centres, tiles, side));
+    const Poses nodes =
+        membrane_nodes(piece.domain[static_cast<int>(side)], piece.pin_corners(side, tiles));
     out.insert(out.end(), nodes.begin(), nodes.end());
   }
   return out;
 }
 
-double mean_stretch(const TileBodies& bodies, const Poses& tiles) {
-  const TileMesh& mesh = bodies.geometry.tiles;
-  const Points3 centres = tile_centres(mesh);
+double mean_stretch(const TileWorld& piece, const TileBodies& bodies) {
   double sum = 0;
   int count = 0;
   for (Side side : {Side::front, Side::back}) {
-    const Points3 now = pin_corners(bodies, centres, tiles, side);
-    const Points2 flat = flat_pin_corners(mesh, bodies.poses, bodies.q, side);
-    for (const MembranePatch& patch : make_membrane_domain(mesh, side).patches) {
+    const Points3 now = piece.pin_corners(side, piece.world->poses());
+    const Points2 flat = flat_pin_corners(bodies.geometry.tiles, bodies.poses, bodies.q, side);
+    for (const MembranePatch& patch : piece.domain[static_cast<int>(side)].patches) {
       if (patch.contact < 0) continue;
       const std::vector<int>& c = patch.corners;
       auto bridge = [&](const auto& at) {

@@ -18,12 +18,12 @@ FrameRows frame_rows(const TileMesh& tiles, const Poses& poses);
 // motion.
 std::vector<RigidMotion> frame_motions(const FrameRows& rows, int tile_count);
 
-// Poses of all bodies of a TileWorld without a ground, with the tiles at these poses and each node
+// Poses of all bodies of a piece without a ground, with the tiles at these poses and each node
 // of the membranes amid the pins around it.
-Poses piece_poses(const TileBodies& bodies, const Poses& tiles);
+Poses piece_poses(const TileWorld& piece, const Poses& tiles);
 
 // Mean over all contacts and both sides of the membrane's stretch ratio between facing pin edges:
 // tau where tiles are flat.
-double mean_stretch(const TileBodies& bodies, const Poses& tiles);
+double mean_stretch(const TileWorld& piece, const TileBodies& bodies);
 
 }  // namespace curveups

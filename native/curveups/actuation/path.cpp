@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "curveups/core/checkpoint.hpp"
-#include "curveups/geometry/cut_mesh.hpp"
 
 namespace curveups {
 namespace {
@@ -108,17 +107,13 @@ Path::Path(const TileBodies& bodies, TileWorld& world, const TriangleMesh& targe
       options_(options),
       friction_(friction),
       centres_(tile_centres(tiles_)),
-      actuated_(tile_poses()) {
+      actuated_(tile_poses()),
+      pieces_(pieces_of(tiles_)) {
   auto former = std::make_unique<Former>();
   former->places.resize(tiles_.tile_count(), 3);
   former->reach = former_reach * bodies.parameters.L;
   former_ = former.get();
   world_.add(std::move(former));
-  const std::vector<int> piece = pieces_of_faces(tiles_.topology, tiles_.cut);
-  for (int i = 0; i < tiles_.tile_count(); ++i) {
-    if (piece[i] >= static_cast<int>(pieces_.size())) pieces_.resize(piece[i] + 1);
-    pieces_[piece[i]].push_back(i);
-  }
 }
 
 Poses Path::tile_poses() const {
@@ -148,7 +143,7 @@ RestState Path::relax(SolvedDesign* solved) {
 
 RestState Path::release() {
   for (PairLoads* corrections : piece_.corrections) corrections->loads.clear();
-  world_.set_poses(piece_poses(bodies_, flat_tiles(bodies_)));
+  world_.set_poses(piece_poses(piece_, flat_tiles(bodies_)));
   begin(LoadCase::released);
   world_.set_friction(friction_);
   run(options_.max_steps);
@@ -190,7 +185,7 @@ void Path::begin(LoadCase load) {
   first_frame_ = frames_.size();
   if (!frames_.empty()) return;
   now_.tiles = frame_rows(tiles_, tile_poses());
-  now_.stretch = mean_stretch(bodies_, world_.poses());
+  now_.stretch = mean_stretch(piece_, bodies_);
   frames_.push_back(now_);
 }
 
@@ -207,7 +202,7 @@ bool Path::step() {
   now_.friction += report.friction;
   now_.moved += mean_distance(before, world_.poses(), tiles_.tile_count());
   now_.tiles = frame_rows(tiles_, tile_poses());
-  now_.stretch = mean_stretch(bodies_, world_.poses());
+  now_.stretch = mean_stretch(piece_, bodies_);
   frames_.push_back(now_);
   thin_out(frames_, first_frame_, 4 * options_.most_frames);
   return false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Checks of arrays that Python hands in. pybind11 refuses other kinds of numbers (TypeError); these
-// functions refuse other shapes, values that are not finite and vertices that do not exist. They
-// need the GIL and throw InvalidInput, which names the array.
+// functions refuse other shapes, values that are not finite and vertices that do not exist: they
+// throw InvalidInput, which names the array. They change no reference counts and need no GIL.
 #pragma once
 
 #include <array>

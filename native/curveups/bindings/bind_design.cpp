@@ -31,8 +31,6 @@ py::dict bound_block(const RelaxedBound& bound) {
 
 }  // namespace
 
-const char* side_name(Side side) { return side == Side::front ? "front" : "back"; }
-
 void bind_design(py::module_& module) {
   py::class_<Design>(module, "Design",
                      "A design, a value that does not change: parameters, V (N x 3), F (M x 3), T "

@@ -47,7 +47,7 @@ void bind_errors(py::module_& module) {
                         error);
 
   py::class_<Finding>(module, "Finding",
-                      "A reason, warning or advice; base/findings.py makes sentences of it.")
+                      "A reason, warning or advice; base/sentences.py makes sentences of it.")
       .def_readonly("kind", &Finding::kind)
       .def_readonly("tiles", &Finding::tiles, "Tiles concerned, ascending; empty: all of them.")
       .def_readonly("figures", &Finding::figures, "Figures of its sentence, by name.")

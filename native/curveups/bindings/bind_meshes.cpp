@@ -43,9 +43,7 @@ py::class_<Result> bind_mesh(py::module_& module, const char* name, const char* 
       .def_property_readonly("F", [](const Result& result) { return result.mesh.F; });
 }
 
-MeshTopology cut_topology(const CutMesh& target) {
-  return build_topology(target.mesh.F, static_cast<int>(target.mesh.V.rows()));
-}
+MeshTopology cut_topology(const CutMesh& target) { return build_topology(target.mesh.F); }
 
 }  // namespace
 

@@ -101,8 +101,7 @@ void bind_print_model(py::module_& module) {
       .def_property_readonly("tile_count", [](const PrintModel& m) { return m.tiles.size(); })
       .def_property_readonly("body_count",
                              [](const PrintModel& m) { return m.bodies("print").size(); })
-      .def_property_readonly("bbox",
-                             [](const PrintModel& m) { return Vec3(m.box.high - m.box.low); })
+      .def_property_readonly("bbox", [](const PrintModel& m) { return Vec3(m.box.sizes()); })
       .def_property_readonly("volumes",
                              [](const PrintModel& m) {
                                py::dict out;
@@ -207,13 +206,14 @@ void bind_print_model(py::module_& module) {
       .def(
           "write",
           [](const PrintModel& m, const std::string& ending, const std::string& kind,
-             const std::string& path, const Progress& progress) {
+             const std::string& path, const Progress& progress, const Title& title) {
             const ProgressScope scope(progress);
-            print_format(ending).write(m, kind, path);
+            print_format(ending).write(m, kind, path, title);
           },
           py::arg("ending"), py::arg("kind"), py::arg("path"), py::arg("progress") = py::none(),
-          Released(),
-          "Writes a file of one kind of bodies, in the format of that ending (print_formats).");
+          py::arg("title") = py::none(), Released(),
+          "Writes a file of one kind of bodies, in the format of that ending (print_formats). "
+          "title: stands inside of the file; by default the model's name.");
   py::class_<PrintFormat>(module, "PrintFormat", "A format of a print's files.")
       .def_readonly("ending", &PrintFormat::ending)
       .def_readonly("kinds", &PrintFormat::kinds, "Kinds of bodies, a file each.")

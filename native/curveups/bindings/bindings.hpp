@@ -25,7 +25,6 @@
 #include "curveups/core/types.hpp"
 
 namespace curveups {
-enum class Side;
 struct SolvedDesign;
 }  // namespace curveups
 
@@ -80,8 +79,6 @@ class FiguresClass : public py::class_<T, Holder...> {
   py::list names_;
 };
 
-// "front" or "back".
-const char* side_name(Side side);
 // Rows as blocks of this shape.
 template <class Matrix>
 py::array_t<double> to_blocks(const Matrix& rows, std::vector<py::ssize_t> shape) {

@@ -26,11 +26,9 @@ struct Segment {
   double high() const { return std::max(begin.x(), end.x()); }
 };
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 // Side of c with respect to the line from a to b: 1 left, -1 right, 0 on it.
 int side(const Vec2& a, const Vec2& b, const Vec2& c) {
-  const double area = cross(b - a, c - a);
+  const double area = wedge(b - a, c - a);
   return (area > 0) - (area < 0);
 }
 
@@ -50,13 +48,7 @@ bool meet(const Segment& s, const Segment& t) {
 // True where two segments of a loop that share an end lie on one another.
 bool fold_back(const Segment& s, const Segment& next) {
   const Vec2 a = s.end - s.begin, b = next.end - next.begin;
-  return cross(a, b) == 0 && a.dot(b) <= 0;
-}
-
-double distance(const Segment& s, const Vec2& p) {
-  const Vec2 along = s.end - s.begin;
-  const double t = std::clamp((p - s.begin).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (s.begin + t * along - p).norm();
+  return wedge(a, b) == 0 && a.dot(b) <= 0;
 }
 
 // True where a ray from the point crosses an odd number of the segments of a loop.
@@ -89,7 +81,10 @@ class FaceBoundary {
         if (conflict(segments_[i], segments_[j])) return true;
       }
       for (const auto& circle : circles_) {
-        if (circle && distance(segments_[i], circle->centre) <= circle->radius) return true;
+        if (circle && segment_distance(segments_[i].begin, segments_[i].end, circle->centre) <=
+                          circle->radius) {
+          return true;
+        }
       }
     }
     for (std::size_t i = 1; i < circles_.size(); ++i) {

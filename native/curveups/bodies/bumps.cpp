@@ -159,7 +159,8 @@ class Planner {
         const double depth = slope * R >= flat
                                  ? face.plane.distance(origin - flat * inward) + R + material_
                                  : face.plane.distance(origin) +
-                                       hollow.radius * std::sqrt(1 - slope * slope) + material_;
+                                       hollow.radius * std::sqrt(std::max(0.0, 1 - slope * slope)) +
+                                       material_;
         region = clip(region, Vec2(n.dot(u), n.dot(v)), -depth);
       }
       for (int end = 0; end < 2; ++end) {

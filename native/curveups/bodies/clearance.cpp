@@ -17,7 +17,7 @@ namespace {
 struct Parts {
   std::array<ConvexBody, 3> convex;
   std::vector<CapSphere> caps;
-  Box box;
+  Eigen::AlignedBox3d box;
 };
 
 Parts make_parts(const TileBodies& bodies, int tile, const ConvexBody& body,
@@ -30,29 +30,25 @@ Parts make_parts(const TileBodies& bodies, int tile, const ConvexBody& body,
   parts.convex[1] = moved(make_prism(pin_corners(tiles, tile, Side::front, q), 0, H_pin), motion);
   parts.convex[2] =
       moved(make_prism(pin_corners(tiles, tile, Side::back, q), -H_body - H_pin, -H_body), motion);
-  for (const ConvexBody& part : parts.convex) parts.box.add(bounding_box(part));
+  for (const ConvexBody& part : parts.convex) parts.box.extend(bounding_box(part));
   if (!with_caps) return parts;
   for (const WallCap& cap : bodies.bumps.of_tile[tile]) {
     if (!cap.bump) continue;
     const Vec3 apex = motion(cap.centre + cap.height * cap.axis);
     parts.caps.push_back(
         cap_sphere(motion(cap.centre), motion.R * cap.axis, cap.radius, cap.height));
-    parts.box.add(apex - Vec3::Constant(cap.radius));
-    parts.box.add(apex + Vec3::Constant(cap.radius));
+    parts.box.extend(apex - Vec3::Constant(cap.radius));
+    parts.box.extend(apex + Vec3::Constant(cap.radius));
   }
   return parts;
-}
-
-double box_distance(const Box& a, const Box& b) {
-  return (a.low - b.high).cwiseMax(b.low - a.high).cwiseMax(0).norm();
 }
 
 double tile_distance(const Parts& a, const Parts& b) {
   double least = std::numeric_limits<double>::infinity();
   for (const ConvexBody& p : a.convex) {
-    const Box box = bounding_box(p);
+    const Eigen::AlignedBox3d box = bounding_box(p);
     for (const ConvexBody& q : b.convex) {
-      if (box_distance(box, bounding_box(q)) < least) least = std::min(least, distance(p, q));
+      if (box.exteriorDistance(bounding_box(q)) < least) least = std::min(least, distance(p, q));
     }
   }
   auto caps_against = [&](const Parts& owner, const Parts& other) {
@@ -70,12 +66,9 @@ double tile_distance(const Parts& a, const Parts& b) {
 
 // Pairs of tiles whose boxes, grown by `reach`, overlap.
 std::vector<std::array<int, 2>> near_pairs(const std::vector<Parts>& parts, double reach) {
-  Points3 low(parts.size(), 3), high(parts.size(), 3);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    low.row(i) = (parts[i].box.low - Vec3::Constant(0.5 * reach)).transpose();
-    high.row(i) = (parts[i].box.high + Vec3::Constant(0.5 * reach)).transpose();
-  }
-  return overlapping_boxes(low, high);
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (const Parts& part : parts) boxes.push_back(grown(part.box, 0.5 * reach));
+  return overlapping_boxes(boxes);
 }
 
 template <class Make>

@@ -182,9 +182,9 @@ ConvexBody make_prism(const Polygon& outline, double z_low, double z_high) {
   return body;
 }
 
-Box bounding_box(const ConvexBody& body) {
-  Box box;
-  for (const Vec3& p : body.points) box.add(p);
+Eigen::AlignedBox3d bounding_box(const ConvexBody& body) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : body.points) box.extend(p);
   return box;
 }
 

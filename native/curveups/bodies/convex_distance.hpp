@@ -38,6 +38,6 @@ ConvexBody moved(const ConvexBody& body, const RigidMotion& motion);
 ConvexBody make_prism(const std::array<Vec2, 3>& outline, double z_low, double z_high);
 ConvexBody make_prism(const Polygon& outline, double z_low, double z_high);
 
-Box bounding_box(const ConvexBody& body);
+Eigen::AlignedBox3d bounding_box(const ConvexBody& body);
 
 }  // namespace curveups

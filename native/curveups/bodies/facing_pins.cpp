@@ -62,15 +62,12 @@ bool pins_meet(const Parts& a, const Parts& b) {
 std::vector<std::array<int, 2>> facing_pins(const DesignGeometry& geometry, double H_pin) {
   const int count = geometry.tiles.tile_count();
   std::vector<Parts> parts(count);
-  Points3 low(count, 3), high(count, 3);
+  std::vector<Eigen::AlignedBox3d> boxes(count);
   parallel_for(count, [&](int i) {
     parts[i] = make_parts(geometry, i, H_pin);
-    Box box;
-    for (const ConvexBody& part : parts[i]) box.add(bounding_box(part));
-    low.row(i) = box.low.transpose();
-    high.row(i) = box.high.transpose();
+    for (const ConvexBody& part : parts[i]) boxes[i].extend(bounding_box(part));
   });
-  const std::vector<std::array<int, 2>> near = overlapping_boxes(low, high);
+  const std::vector<std::array<int, 2>> near = overlapping_boxes(boxes);
   std::vector<char> meet(near.size(), 0);
   parallel_for(static_cast<int>(near.size()), [&](int k) {
     const auto [i, j] = near[k];

@@ -81,13 +81,13 @@ void move(PrintBody& body, const RigidMotion& motion) {
   for (SphericalCap& cap : body.caps) cap.axis = motion.R * cap.axis;
 }
 
-Box bounding_box(const PrintBody& body) {
-  Box box;
-  for (const Vec3& p : body.points) box.add(p);
+Eigen::AlignedBox3d bounding_box(const PrintBody& body) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : body.points) box.extend(p);
   for (const BodyCircle& c : body.circles) {
     const Vec3 reach = c.radius * (Vec3::Ones() - c.axis.cwiseAbs2()).cwiseMax(0).cwiseSqrt();
-    box.add(c.centre - reach);
-    box.add(c.centre + reach);
+    box.extend(c.centre - reach);
+    box.extend(c.centre + reach);
   }
   for (const SphericalCap& cap : body.caps) {
     if (!cap.bump) continue;
@@ -96,7 +96,7 @@ Box bounding_box(const PrintBody& body) {
     const Vec3 centre = c.centre - (R - cap.height) * cap.axis;
     for (int k = 0; k < 3; ++k) {
       for (double sign : {-1.0, 1.0}) {  // the sphere's extreme point, where it is on the cap
-        if (sign * cap.axis[k] * R >= R - cap.height) box.add(centre + sign * R * Vec3::Unit(k));
+        if (sign * cap.axis[k] * R >= R - cap.height) box.extend(centre + sign * R * Vec3::Unit(k));
       }
     }
   }

@@ -90,18 +90,7 @@ double volume(const PrintBody& body);
 void move(PrintBody& body, const RigidMotion& motion);
 
 // Smallest box, caps included.
-struct Box {
-  Vec3 low = Vec3::Constant(1e300), high = Vec3::Constant(-1e300);
-  void add(const Vec3& p) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  void add(const Box& b) {
-    low = low.cwiseMin(b.low);
-    high = high.cwiseMax(b.high);
-  }
-};
-Box bounding_box(const PrintBody& body);
+Eigen::AlignedBox3d bounding_box(const PrintBody& body);
 
 // Adds points at height z; returns their loop.
 std::vector<int> add_points(PrintBody& body, const Polygon& polygon, double z);

@@ -222,17 +222,15 @@ std::vector<TouchingPair> find_touching(const std::vector<RigidBody>& bodies, co
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (!bodies[i].is_point()) solid.push_back(static_cast<int>(i));
   }
-  Points3 low(solid.size(), 3), high(solid.size(), 3);
+  std::vector<Eigen::AlignedBox3d> boxes(solid.size());
   parallel_for(static_cast<int>(solid.size()), [&](int k) {
-    Box box;
     for (const BodySurface& face : bodies[solid[k]].faces) {
-      for (const Vec3& p : face.outline) box.add(poses[solid[k]](p));
+      for (const Vec3& p : face.outline) boxes[k].extend(poses[solid[k]](p));
     }
-    low.row(k) = (box.low.array() - 0.5 * options.reach).matrix().transpose();
-    high.row(k) = (box.high.array() + 0.5 * options.reach).matrix().transpose();
+    boxes[k] = grown(boxes[k], 0.5 * options.reach);
   });
   std::vector<std::array<int, 2>> near;
-  for (const auto& [k, l] : overlapping_boxes(low, high)) {
+  for (const auto& [k, l] : overlapping_boxes(boxes)) {
     if (bodies[solid[k]].can_touch(bodies[solid[l]])) near.push_back({solid[k], solid[l]});
   }
   std::vector<TouchingPair> pairs(near.size());

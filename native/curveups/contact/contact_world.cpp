@@ -6,6 +6,8 @@
 #include <iterator>
 #include <utility>
 
+#include "curveups/core/sort_unique.hpp"
+
 namespace curveups {
 
 ContactWorld::ContactWorld(std::vector<RigidBody> bodies, Poses start, const WorldOptions& options)
@@ -70,8 +72,7 @@ std::vector<std::array<int, 2>> ContactWorld::joined_pairs() const {
       }
     }
   }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  sort_unique(pairs);
   return pairs;
 }
 

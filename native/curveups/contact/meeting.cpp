@@ -69,28 +69,26 @@ bool could_pass(const std::vector<RigidBody>& bodies, const Poses& from, const P
     if (!bodies[i].is_point()) solid.push_back(static_cast<int>(i));
   }
   const int count = static_cast<int>(solid.size());
-  Points3 low(count, 3), high(count, 3);
+  std::vector<Eigen::AlignedBox3d> boxes(count);
   std::vector<Way> way(count);
   parallel_for(count, [&](int k) {
     const RigidBody& body = bodies[solid[k]];
     const RigidMotion &first = from[solid[k]], &last = to[solid[k]];
-    Box box;
     double radius = 0;
     for (const BodySurface& face : body.faces) {
       for (const Vec3& p : face.outline) {
-        box.add(first(p));
-        box.add(last(p));
+        boxes[k].extend(first(p));
+        boxes[k].extend(last(p));
         radius = std::max(radius, p.norm());
       }
     }
     const Eigen::Matrix3d turn = last.R * first.R.transpose();
     const double shift = (last.t - first.t).norm();
     const double bulge = sag(turn, radius) + screw_bulge(turn, shift);
-    low.row(k) = (box.low.array() - bulge).matrix().transpose();
-    high.row(k) = (box.high.array() + bulge).matrix().transpose();
+    boxes[k] = grown(boxes[k], bulge);
     way[k] = {shift, std::sqrt(std::max(0.0, 3 - turn.trace())), radius, thickness(body)};
   });
-  const auto near = overlapping_boxes(low, high);
+  const auto near = overlapping_boxes(boxes);
   std::atomic<bool> passes = false;
   parallel_for(static_cast<int>(near.size()), [&](int k) {
     if (passes) return;

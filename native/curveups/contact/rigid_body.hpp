@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "curveups/bodies/print_body.hpp"
-#include "curveups/numerics/term.hpp"
+#include "curveups/numerics/block_matrix.hpp"
 
 namespace curveups {
 

@@ -145,18 +145,11 @@ SettledDesign settle_design(const Design& design, const Progress& progress,
   for (const TouchForce& force : tiles.world->forces()) {
     if (force.push > 0) out.largest_slip = std::max(out.largest_slip, force.slip);
   }
-  const Poses& poses = tiles.world->poses();
-  const Points3 centres = tile_centres(bodies.geometry.tiles);
-  const TriangleMesh scanned = fitted_surface(bodies.geometry.tiles, centres, poses);
+  const TileMesh& mesh = bodies.geometry.tiles;
+  const TriangleMesh scanned = fitted_surface(mesh, tile_centres(mesh), tiles.world->poses());
   const Eigen::VectorXd far = scan_distances(scanned, ClosestPoints(design.mesh));
   out.scan = describe_scan(far, scanned, design.mesh);
-  out.corners = scanned.V;
   out.deviation = triangle_means(far);
-  out.poses.resize(tiles.tile_count, 7);
-  for (int i = 0; i < tiles.tile_count; ++i) {
-    const Eigen::Quaterniond turn(poses[i].R);
-    out.poses.row(i) << poses[i].t.transpose() - centres.row(i), turn.coeffs().transpose();
-  }
   return out;
 }
 

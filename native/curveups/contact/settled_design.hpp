@@ -47,10 +47,7 @@ struct SettledDesign : SettledTiles {
   FrictionNeeded friction_needed;          // likewise
   std::vector<WindowRange> window;         // where the parameters ask for it and the design holds
   std::optional<double> holding_friction;  // the window's least friction
-  Points3 corners;                         // 3 M x 3: settled front corners, fitted to the design
   Eigen::VectorXd deviation;               // per tile, mean of its samples, mm
-  // M x 7: move of each tile's centre, mm, and quaternion of its turn (w last)
-  Eigen::Matrix<double, Eigen::Dynamic, 7, Eigen::RowMajor> poses;
 };
 
 // Settles a design under its own parameters. solved: solve_design's of these tiles, pins and

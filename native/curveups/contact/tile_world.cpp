@@ -93,6 +93,7 @@ class Builder {
     BalanceSystem system = balance_of(out.interface, tiles, out.L);
     std::vector<std::unique_ptr<MotionEnergy>> energies;
     for (int s = 0; s < 2; ++s) {
+      out.domain[s] = domain_[s];
       out.pins[s] = own_corners(s);
       auto reduced = membrane(static_cast<Side>(s));
       const Wrenches elements = pull_[s] * extrapolated_wrenches(solved_.membranes[s], centres_);
@@ -165,7 +166,7 @@ class Builder {
       corners_[s] =
           actuated_pin_corners(tiles_, bodies_.q, static_cast<Side>(s), bodies_.parameters.H_pin);
       first_node_[s] = static_cast<int>(poses_.size());
-      const Poses nodes = membrane_nodes(tiles_, static_cast<Side>(s), corners_[s]);
+      const Poses nodes = membrane_nodes(domain_[s], corners_[s]);
       poses_.insert(poses_.end(), nodes.begin(), nodes.end());
     }
     list_.resize(poses_.size());
@@ -249,21 +250,21 @@ class Builder {
 
 }  // namespace
 
-Points3 TileWorld::pin_corners(Side side) const {
+Points3 TileWorld::pin_corners(Side side, const Poses& poses) const {
   Points3 out = pins[static_cast<int>(side)];
   for (int c = 0; c < out.rows(); ++c) {
-    out.row(c) = world->poses()[c / 3](out.row(c).transpose()).transpose();
+    out.row(c) = poses[c / 3](out.row(c).transpose()).transpose();
   }
   return out;
 }
 
 double TileWorld::solve_elements(SolvedDesign& solved, double tolerance) {
-  std::array<char, 2> converged{};
-  parallel_each(2, [&](int s) {
-    converged[s] =
-        move_pins(solved.membranes[s], pin_corners(static_cast<Side>(s)), solved.design.parameters);
-  });
   const Poses& poses = world->poses();
+  std::array<char, 2> converged{};
+  parallel_for(2, [&](int s) {
+    converged[s] = move_pins(solved.membranes[s], pin_corners(static_cast<Side>(s), poses),
+                             solved.design.parameters);
+  });
   const Poses tiles(poses.begin(), poses.begin() + tile_count);
   std::vector<ContactPoint> now = interface;
   for (ContactPoint& point : now) {
@@ -293,9 +294,9 @@ double TileWorld::solve_elements(SolvedDesign& solved, double tolerance) {
   return off / mean;
 }
 
-Poses membrane_nodes(const TileMesh& tiles, Side side, const Points3& pin_corners) {
+Poses membrane_nodes(const MembraneDomain& domain, const Points3& pin_corners) {
   Poses out;
-  for (const MembranePatch& patch : make_membrane_domain(tiles, side).patches) {
+  for (const MembranePatch& patch : domain.patches) {
     if (patch.vertex < 0) continue;
     RigidMotion node;
     for (int c : patch.corners) {

@@ -26,7 +26,8 @@ struct TileWorld {
   int tile_count = 0;
   double L = 0;
   Poses start;
-  std::array<Points3, 2> pins;  // pin corners per side, as points of their tiles
+  std::array<MembraneDomain, 2> domain;  // patches of each side's membrane
+  std::array<Points3, 2> pins;           // pin corners per side, as points of their tiles
   std::vector<ContactPoint>
       interface;  // points of the corrections between neighbours, at the start
   // Energies of the world. A side's corrections are the differences of forces on tiles between the
@@ -34,8 +35,8 @@ struct TileWorld {
   std::array<ReducedMembrane*, 2> membranes{};
   std::array<PairLoads*, 2> corrections{};
 
-  // Present corners of a side's pins, as solve_membranes numbers them.
-  Points3 pin_corners(Side side) const;
+  // Corners of a side's pins with the tiles at these poses, as solve_membranes numbers them.
+  Points3 pin_corners(Side side, const Poses& poses) const;
   // Solves the finite elements of the membranes, `solved`, with the pins at their present places.
   // Returns the largest difference of a force, or torque over L, from those in the world, over the
   // mean force on a tile; where it is above the tolerance, the corrections follow the elements.
@@ -43,8 +44,8 @@ struct TileWorld {
   double solve_elements(SolvedDesign& solved, double tolerance);
 };
 
-// Nodes of a side's reduced membrane, each amid its polygon's pin corners.
-Poses membrane_nodes(const TileMesh& tiles, Side side, const Points3& pin_corners);
+// Nodes of a reduced membrane, each amid its polygon's pin corners.
+Poses membrane_nodes(const MembraneDomain& domain, const Points3& pin_corners);
 
 // Normal force of each contact, N.
 Eigen::VectorXd contact_pushes(const TileMesh& tiles, const ContactWorld& world);

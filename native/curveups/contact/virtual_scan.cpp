@@ -65,15 +65,10 @@ TriangleMesh fitted_surface(const TileMesh& tiles, const Points3& centres, const
   for (int i = 0; i < tiles.tile_count(); ++i) {
     for (int c = 0; c < 3; ++c) designed.V.row(3 * i + c) = tiles.mesh.V.row(tiles.mesh.F(i, c));
   }
-  const std::vector<int> piece = pieces_of_faces(tiles.topology, tiles.cut);
-  std::vector<std::vector<int>> corners(1 + *std::max_element(piece.begin(), piece.end()));
-  for (int v = 0; v < mesh.V.rows(); ++v) corners[piece[v / 3]].push_back(v);
-  for (const std::vector<int>& own : corners) {
-    Points3 from(own.size(), 3), to(own.size(), 3);
-    for (std::size_t k = 0; k < own.size(); ++k) {
-      from.row(k) = mesh.V.row(own[k]);
-      to.row(k) = designed.V.row(own[k]);
-    }
+  for (const std::vector<int>& piece : pieces_of(tiles)) {
+    std::vector<int> own;
+    for (int i : piece) own.insert(own.end(), {3 * i, 3 * i + 1, 3 * i + 2});
+    const Points3 from = mesh.V(own, Eigen::all), to = designed.V(own, Eigen::all);
     const RigidMotion fit = best_fit(from, to);
     for (int v : own) mesh.V.row(v) = fit(mesh.V.row(v).transpose()).transpose();
   }

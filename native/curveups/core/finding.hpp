@@ -10,6 +10,8 @@
 #include <variant>
 #include <vector>
 
+#include "curveups/core/sort_unique.hpp"
+
 namespace curveups {
 
 struct Finding {
@@ -34,8 +36,7 @@ struct Finding {
 inline std::vector<int> tiles_of(const Finding::Pairs& pairs) {
   std::vector<int> tiles;
   for (const auto& pair : pairs) tiles.insert(tiles.end(), pair.begin(), pair.end());
-  std::sort(tiles.begin(), tiles.end());
-  tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
+  sort_unique(tiles);
   return tiles;
 }
 

@@ -36,11 +36,6 @@ void parallel_for(int count, const Work& work) {
 // failed; no index is begun after a failure.
 void parallel_each(int count, const std::function<void(int i)>& work);
 
-// Runs all tasks, each on a thread that is free.
-inline void parallel_tasks(const std::vector<std::function<void()>>& tasks) {
-  parallel_for(static_cast<int>(tasks.size()), [&](int i) { tasks[i](); });
-}
-
 // Gathers results in order: calls `make` on consecutive ranges in parallel, and `take` on the same
 // ranges in their order, one at a time, each after its `make`. lane: a number in [0, lane_count())
 // that both calls on a range share and no other range has in between, for the data from make to

@@ -68,7 +68,7 @@ std::vector<Separation> find_close_pairs(const TileMesh& tiles, const FlatPoses&
                                          double clearance) {
   const std::vector<Faces> placed = place_all(tiles, poses);
   const int count = static_cast<int>(placed.size());
-  Points3 low(count, 3), high(count, 3);
+  std::vector<Eigen::AlignedBox3d> boxes(count);
   std::vector<Vec2> middle(count);
   std::vector<double> radius(count, 0);
   for (int i = 0; i < count; ++i) {
@@ -76,12 +76,12 @@ std::vector<Separation> find_close_pairs(const TileMesh& tiles, const FlatPoses&
     for (const auto& face : placed[i]) {
       for (const Vec2& p : face) radius[i] = std::max(radius[i], (p - middle[i]).norm());
     }
-    const Vec2 half = Vec2::Constant(radius[i] + 0.5 * reach * clearance);
-    low.row(i) << (middle[i] - half).transpose(), 0;
-    high.row(i) << (middle[i] + half).transpose(), 0;
+    const double half = radius[i] + 0.5 * reach * clearance;
+    const Vec3 at(middle[i].x(), middle[i].y(), 0), out(half, half, 0);
+    boxes[i] = {at - out, at + out};
   }
   std::vector<Separation> out;
-  for (const auto& [i, j] : overlapping_boxes(low, high)) {
+  for (const auto& [i, j] : overlapping_boxes(boxes)) {
     const double apart = (middle[i] - middle[j]).norm() - radius[i] - radius[j];
     if (apart > reach * clearance) continue;
     Separation best{i, 0, j, -std::numeric_limits<double>::infinity()};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "curveups/core/sort_unique.hpp"
 #include "curveups/geometry/overlapping_boxes.hpp"
 
 namespace curveups {
@@ -75,21 +76,17 @@ std::vector<std::vector<int>> corners_around_inner_vertices(const TileMesh& tile
 
 std::vector<std::array<int, 2>> crossing_rims(const TileMesh& tiles, const Points2& corners) {
   const std::vector<RimEdge> rim = rim_edges(tiles);
-  const Eigen::Index count = static_cast<Eigen::Index>(rim.size());
-  Points3 low = Points3::Zero(count, 3), high = Points3::Zero(count, 3);
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const auto a = corners.row(rim[k][0]), b = corners.row(rim[k][1]);
-    low.row(k).head<2>() = a.cwiseMin(b);
-    high.row(k).head<2>() = a.cwiseMax(b);
+  std::vector<Eigen::AlignedBox3d> boxes(rim.size());
+  for (std::size_t k = 0; k < rim.size(); ++k) {
+    for (int c : rim[k]) boxes[k].extend(Vec3(corners(c, 0), corners(c, 1), 0));
   }
   std::vector<std::array<int, 2>> out;
-  for (const auto& [k, l] : overlapping_boxes(low, high)) {
+  for (const auto& [k, l] : overlapping_boxes(boxes)) {
     if (!cross(corners, rim[k], rim[l])) continue;
     const auto [i, j] = std::minmax({rim[k][0] / 3, rim[l][0] / 3});
     out.push_back({i, j});
   }
-  std::sort(out.begin(), out.end());
-  out.erase(std::unique(out.begin(), out.end()), out.end());
+  sort_unique(out);
   return out;
 }
 

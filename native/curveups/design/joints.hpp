@@ -12,11 +12,7 @@
 namespace curveups {
 
 // An edge of the target with a piece on either side: a cut that parts them.
-struct Joint {
-  int edge;                 // in topology.edges
-  std::array<int, 2> tile;  // tile[0] < tile[1], of different pieces
-  std::array<int, 2> side;  // which edge (0 to 2) of each tile
-};
+using Joint = Contact;
 
 // Joints in the order of the edges. Cuts inside of one piece and the target's boundary are none.
 std::vector<Joint> find_joints(const TileMesh& tiles);

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "curveups/core/errors.hpp"
+#include "curveups/core/sort_unique.hpp"
 #include "curveups/design/print_constants.hpp"
 
 namespace curveups {
@@ -206,8 +207,7 @@ std::vector<int> listed_tiles(std::string_view text) {
   check_text("tiles", text);
   std::vector<int> tiles;
   for (std::string_view word : words_of(text)) tiles.push_back(tile_number(word) - 1);
-  std::sort(tiles.begin(), tiles.end());
-  tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
+  sort_unique(tiles);
   return tiles;
 }
 

@@ -119,18 +119,11 @@ void keep_back_edge(const ContactPatch& patch, double share, std::vector<Vec3>& 
 }
 
 std::vector<std::array<int, 2>> near_pairs(const std::vector<Corners>& corners) {
-  const Eigen::Index count = static_cast<Eigen::Index>(corners.size());
-  Points3 low(count, 3), high(count, 3);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    Vec3 least = corners[i][0], most = corners[i][0];
-    for (const Vec3& p : corners[i]) {
-      least = least.cwiseMin(p);
-      most = most.cwiseMax(p);
-    }
-    low.row(i) = least;
-    high.row(i) = most;
+  std::vector<Eigen::AlignedBox3d> boxes(corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    for (const Vec3& p : corners[i]) boxes[i].extend(p);
   }
-  return overlapping_boxes(low, high);
+  return overlapping_boxes(boxes);
 }
 
 // Keeps the first tile behind the plane (world) and the second before it.

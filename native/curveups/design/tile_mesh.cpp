@@ -13,15 +13,6 @@
 namespace curveups {
 namespace {
 
-void check_vertices(const TriangleMesh& mesh) {
-  for (int v = 0; v < mesh.V.rows(); ++v) {
-    if (!mesh.V.row(v).allFinite()) {
-      throw InvalidInput("vertex " + std::to_string(v) + " of the mesh is not finite",
-                         "repair the file");
-    }
-  }
-}
-
 RigidMotion make_frame(const TriangleMesh& mesh, int tile) {
   const Vec3 a = mesh.V.row(mesh.F(tile, 0)), b = mesh.V.row(mesh.F(tile, 1)),
              c = mesh.V.row(mesh.F(tile, 2));
@@ -57,14 +48,12 @@ Vec2 TileMesh::inward(int tile, int t) const {
 }
 
 TileMesh make_tile_mesh(const TriangleMesh& mesh, const Edges& cuts, double H_body) {
-  check_vertices(mesh);
   TileMesh tiles;
   tiles.mesh = mesh;
-  tiles.topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
+  tiles.topology = build_topology(mesh.F);
   tiles.cut = mark_cuts(tiles.topology, cuts);
   tiles.H_body = H_body;
   const int count = tiles.tile_count();
-  if (count == 0) throw InvalidInput("the mesh has no faces", "give a surface with triangles");
   tiles.frame.resize(count);
   tiles.front.resize(count);
   tiles.back.resize(count);

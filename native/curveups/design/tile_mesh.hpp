@@ -14,6 +14,9 @@ namespace curveups {
 
 enum class Side { front = 0, back = 1 };
 
+// "front" or "back".
+inline const char* side_name(Side side) { return side == Side::front ? "front" : "back"; }
+
 // M x 2, a value for each side of each tile: front, back.
 using PerSide = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
 
@@ -58,7 +61,7 @@ std::array<Vec2, 3> inset_triangle(const std::array<Vec2, 3>& triangle,
                                    const std::array<double, 3>& distance);
 
 // cuts: C x 2 vertex pairs. Throws TopologyError (see build_topology), InvalidInput (a cut that is
-// no interior edge, a vertex that is not finite, a face without area). A fold so sharp that a back
+// no interior edge, a face without area). A fold so sharp that a back
 // face vanishes or turns over is left to tiles_without_back.
 TileMesh make_tile_mesh(const TriangleMesh& mesh, const Edges& cuts, double H_body);
 

@@ -5,16 +5,11 @@
 #include <array>
 #include <utility>
 
+#include "curveups/core/sort_unique.hpp"
 #include "curveups/design/remote_overlaps.hpp"
 
 namespace curveups {
 namespace {
-
-std::vector<int> sorted_unique(std::vector<int> items) {
-  std::sort(items.begin(), items.end());
-  items.erase(std::unique(items.begin(), items.end()), items.end());
-  return items;
-}
 
 // Place of an item in a sorted list that has it.
 int place_of(int item, const std::vector<int>& sorted) {
@@ -42,7 +37,8 @@ std::vector<int> VertexPatches::tiles_around(const std::vector<int>& tiles) cons
       out.insert(out.end(), here.begin(), here.end());
     }
   }
-  return sorted_unique(std::move(out));
+  sort_unique(out);
+  return out;
 }
 
 VertexPatch VertexPatches::around(int vertex) const {
@@ -57,7 +53,7 @@ VertexPatch VertexPatches::around(int vertex) const {
       if (n >= 0) changed.push_back(n);
     }
   }
-  changed = sorted_unique(std::move(changed));
+  sort_unique(changed);
   VertexPatch out;
   const std::vector<int> near = tiles_around(changed);
   out.tiles = tiles_around(near);
@@ -67,7 +63,7 @@ VertexPatch VertexPatches::around(int vertex) const {
   for (int tile : out.tiles) {
     for (int t = 0; t < 3; ++t) vertices.push_back(tiles.mesh.F(tile, t));
   }
-  vertices = sorted_unique(std::move(vertices));
+  sort_unique(vertices);
   auto local = [&](int v) { return place_of(v, vertices); };
   out.moving = local(vertex);
   out.mesh.V.resize(static_cast<Eigen::Index>(vertices.size()), 3);
@@ -103,7 +99,7 @@ VertexPatch VertexPatches::around(int vertex) const {
       out.contacts.push_back(inside ? contact_of_[3 * tile + t] : -1);
     }
   }
-  out.touched = sorted_unique(std::move(out.touched));
+  sort_unique(out.touched);
   out.fixed.of_tile.resize(count);
   out.fixed.front_pins.resize(count);
   auto keep = [&](const std::vector<TruncationPlane>& planes, std::vector<TruncationPlane>& fixed) {

@@ -160,18 +160,17 @@ Bridges make_bridges(const std::vector<Obstacle>& bodies, const std::vector<Wish
   const double gap = std::max(apart, p.d_gap_min);
   const double reach = std::max(2.0, gap);
   const int count = static_cast<int>(bodies.size());
-  Points3 low(count, 3), high(count, 3);
-  for (int i = 0; i < count; ++i) {
-    Box box = bounding_box(bodies[i].body);
-    for (const auto& [centre, radius] : bodies[i].balls) {
-      box.add(centre - Vec3::Constant(radius));
-      box.add(centre + Vec3::Constant(radius));
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (const Obstacle& obstacle : bodies) {
+    Eigen::AlignedBox3d box = bounding_box(obstacle.body);
+    for (const auto& [centre, radius] : obstacle.balls) {
+      box.extend(centre - Vec3::Constant(radius));
+      box.extend(centre + Vec3::Constant(radius));
     }
-    low.row(i) = (box.low - Vec3::Constant(reach)).transpose();
-    high.row(i) = (box.high + Vec3::Constant(reach)).transpose();
+    boxes.push_back(grown(box, reach));
   }
   std::vector<std::vector<int>> near(count);
-  for (const auto& [i, j] : overlapping_boxes(low, high)) {
+  for (const auto& [i, j] : overlapping_boxes(boxes)) {
     near[i].push_back(j);
     near[j].push_back(i);
   }
@@ -205,11 +204,11 @@ Bridges make_bridges(const std::vector<Obstacle>& bodies, const std::vector<Wish
   std::vector<std::optional<Place>> best(wishes.size());
   parallel_for(static_cast<int>(wishes.size()), [&](int w) { best[w] = next_free(wishes[w], 0); });
   Bridges out;
-  std::vector<std::pair<Box, ConvexBody>> taken;
+  std::vector<std::pair<Eigen::AlignedBox3d, ConvexBody>> taken;
   const auto clear_of_taken = [&](const ConvexBody& bridge) {
-    const Box box = bounding_box(bridge);
+    const Eigen::AlignedBox3d box = bounding_box(bridge);
     return std::all_of(taken.begin(), taken.end(), [&](const auto& other) {
-      const Vec3 between = (box.low - other.first.high).cwiseMax(other.first.low - box.high);
+      const Vec3 between = (box.min() - other.first.max()).cwiseMax(other.first.min() - box.max());
       return between.maxCoeff() >= apart || distance(other.second, bridge) >= apart;
     });
   };

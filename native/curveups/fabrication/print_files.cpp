@@ -31,8 +31,12 @@ TriangleMesh joined(const std::vector<BodyMesh>& bodies, int piece, bool bridges
       triangles.push_back({a + first, b + first, c + first});
     }
   }
-  return {Eigen::Map<const Points3>(points.data()->data(), points.size(), 3),
-          Eigen::Map<const Triangles>(triangles.data()->data(), triangles.size(), 3)};
+  TriangleMesh mesh{Points3(points.size(), 3), Triangles(triangles.size(), 3)};
+  for (std::size_t v = 0; v < points.size(); ++v) mesh.V.row(v) = points[v];
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    mesh.F.row(f) << triangles[f][0], triangles[f][1], triangles[f][2];
+  }
+  return mesh;
 }
 
 // Closed shell of each piece: breakaway bridges reach into tiles and anchors.
@@ -107,16 +111,19 @@ void append_real(std::string& text, double value) {
   text.append(digits, fmt::format_to(digits, FMT_COMPILE("{}"), value));
 }
 
-void write_step(const PrintModel& model, const std::string& kind, const std::string& path) {
-  write_step(model.bodies(kind), model.name + "-" + kind, path);
+void write_step(const PrintModel& model, const std::string& kind, const std::string& path,
+                const Title& title) {
+  write_step(model.bodies(kind), title.value_or(model.name) + "-" + kind, path);
 }
 
-void write_stl(const PrintModel& model, const std::string& kind, const std::string& path) {
-  write_stl(meshes_of(model, kind), model.name + "-" + kind, path);
+void write_stl(const PrintModel& model, const std::string& kind, const std::string& path,
+               const Title& title) {
+  write_stl(meshes_of(model, kind), title.value_or(model.name) + "-" + kind, path);
 }
 
-void write_3mf(const PrintModel& model, const std::string& kind, const std::string& path) {
-  write_3mf(meshes_of(model, kind), model.name,
+void write_3mf(const PrintModel& model, const std::string& kind, const std::string& path,
+               const Title& title) {
+  write_3mf(meshes_of(model, kind), title.value_or(model.name),
             {"tiles (rigid)", support_kind(model.parameters).material, "anchors (rigid)"}, path);
 }
 

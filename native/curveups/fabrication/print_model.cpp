@@ -192,10 +192,10 @@ class Builder {
 
   void centre() {
     for (auto* bodies : printed()) {
-      for (const PrintBody& body : *bodies) model_.box.add(bounding_box(body));
+      for (const PrintBody& body : *bodies) model_.box.extend(bounding_box(body));
     }
     RigidMotion shift;
-    shift.t = -0.5 * (model_.box.low + model_.box.high);
+    shift.t = -0.5 * (model_.box.min() + model_.box.max());
     shift.t.z() = 0;
     for (auto* bodies : printed()) {
       for (PrintBody& body : *bodies) move(body, shift);
@@ -206,8 +206,7 @@ class Builder {
         for (Vec2& q : loop) q += shift.t.head<2>();
       }
     }
-    model_.box.low += shift.t;
-    model_.box.high += shift.t;
+    model_.box.translate(shift.t);
   }
 
   void add_actuated() {
@@ -275,7 +274,7 @@ PrintModel only_pieces(const PrintModel& model, const std::map<int, RigidMotion>
     }
   }
   PrintModel out = model;
-  out.box = {};
+  out.box.setEmpty();
   for (auto* bodies : {&out.tiles, &out.supports, &out.anchors}) {
     bodies->erase(std::remove_if(bodies->begin(), bodies->end(),
                                  [&](const PrintBody& b) { return !motions.count(b.piece); }),
@@ -283,7 +282,7 @@ PrintModel only_pieces(const PrintModel& model, const std::map<int, RigidMotion>
     for (PrintBody& body : *bodies) {
       move(body, motions.at(body.piece));
       body.piece = static_cast<int>(std::distance(motions.begin(), motions.find(body.piece)));
-      out.box.add(bounding_box(body));
+      out.box.extend(bounding_box(body));
     }
   }
   out.piece_count = static_cast<int>(motions.size());
@@ -296,10 +295,10 @@ PrintModel only_tiles(const PrintModel& model, const std::vector<int>& rows) {
   out.anchors.clear();
   out.loose_anchors = 0;
   out.tiles.clear();
-  out.box = {};
+  out.box.setEmpty();
   for (const int row : std::set<int>(rows.begin(), rows.end())) {
     out.tiles.push_back(model.tiles[row]);
-    out.box.add(bounding_box(out.tiles.back()));
+    out.box.extend(bounding_box(out.tiles.back()));
   }
   return out;
 }

@@ -49,7 +49,7 @@ struct PrintModel : TileBodies {
   std::vector<std::vector<Polygon>> outlines;  // per slab, in print coordinates
   std::vector<double> overhang;   // per tile: level reach beyond the pin that it stands on, mm
   std::vector<ThinFeature> thin;  // per body with sizes of its own
-  Box box;
+  Eigen::AlignedBox3d box;
 
   // Bodies of a kind: "tiles", "support", "anchors", "print" (these three) or "actuated". Throws
   // InvalidInput for any other.

@@ -76,7 +76,7 @@ PrintModel make_ring(const std::string& name, const std::vector<RingPart>& parts
     require_part(part);
     model.tiles.push_back(make_part(part, thickness, tooth_radius, tooth_height));
     model.tiles.back().name = "Ring P" + std::to_string(model.tiles.size());
-    model.box.add(bounding_box(model.tiles.back()));
+    model.box.extend(bounding_box(model.tiles.back()));
   }
   return model;
 }

@@ -6,6 +6,7 @@
 #include "curveups/bodies/outline.hpp"
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
+#include "curveups/core/sort_unique.hpp"
 #include "curveups/design/print_constants.hpp"
 #include "curveups/fabrication/slab.hpp"
 #include "curveups/fabrication/supports.hpp"
@@ -177,8 +178,7 @@ void add_slabs(PrintModel& model, const std::vector<PieceFootprint>& footprints)
     }
   }
   std::vector<int>& loose = model.loose_tiles;
-  std::sort(loose.begin(), loose.end());
-  loose.erase(std::unique(loose.begin(), loose.end()), loose.end());
+  sort_unique(loose);
 }
 
 }  // namespace

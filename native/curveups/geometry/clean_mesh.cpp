@@ -247,7 +247,11 @@ CleanMesh clean_mesh(const TriangleMesh& soup) {
   note(std::count(collapsed.begin(), collapsed.end(), 1) + remove_slivers(soup.V, faces),
        " faces without area removed");
   const auto rows = [&] {
-    return Eigen::Map<const Triangles>(faces.data()->data(), faces.size(), 3);
+    Triangles F(faces.size(), 3);
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      F.row(f) << faces[f][0], faces[f][1], faces[f][2];
+    }
+    return F;
   };
   std::vector<char> repeated(faces.size(), 0);
   for (int f : repeated_faces(rows())) repeated[f] = 1;

@@ -18,7 +18,6 @@
 #include <vector>
 
 #include "curveups/core/checkpoint.hpp"
-#include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 
 namespace curveups {
@@ -50,14 +49,6 @@ struct ClosestPoints::Impl {
 };
 
 ClosestPoints::ClosestPoints(const TriangleMesh& mesh) : impl_(std::make_unique<Impl>()) {
-  if (mesh.F.rows() == 0) throw InvalidInput("the surface has no faces", "check the input file");
-  if (!mesh.V.allFinite()) {
-    throw InvalidInput("the surface has a vertex that is not finite", "repair the file");
-  }
-  if (mesh.F.minCoeff() < 0 || mesh.F.maxCoeff() >= mesh.V.rows()) {
-    throw InvalidInput("a face of the surface names a vertex that does not exist",
-                       "repair the file");
-  }
   impl_->triangles.reserve(mesh.F.rows());
   for (int f = 0; f < mesh.F.rows(); ++f) {
     checkpoint_now_and_then(f);

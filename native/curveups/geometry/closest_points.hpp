@@ -17,8 +17,7 @@ struct ClosestPoint {
 // Search tree over the faces of a mesh. Queries are safe from several threads at once.
 class ClosestPoints {
  public:
-  // Throws InvalidInput for a mesh without faces, vertices that are not finite and faces that name
-  // vertices beyond them.
+  // mesh: with at least one face.
   explicit ClosestPoints(const TriangleMesh& mesh);
   ~ClosestPoints();
 

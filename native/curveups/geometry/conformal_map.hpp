@@ -14,8 +14,7 @@ namespace curveups {
 // surface's, the centroid is the origin, and the first edge of the first face points along x.
 // Unused vertices lie at the origin. A flat mesh moves rigidly. Needles may fold (see
 // conformal_scale). Throws TopologyError (what build_topology and boundary_loops refuse, several
-// components, a closed surface, handles), InvalidInput (a vertex that is not finite, a face without
-// area), SolverFailure.
+// components, a closed surface, handles), SolverFailure (faces without area above all).
 Points2 conformal_map(const TriangleMesh& mesh);
 
 // Scale of lengths per face, the root of the ratio of areas; negative where the face is turned

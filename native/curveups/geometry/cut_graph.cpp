@@ -82,7 +82,7 @@ std::vector<EdgeSet> disc_arcs(const TriangleMesh& mesh, const MeshTopology& top
 
 bool has_handles(const TriangleMesh& mesh, const MeshTopology& topology, const EdgeSet& cut) {
   const TriangleMesh open = cut_open(mesh, topology, mark_cuts(topology, rows_of(cut))).mesh;
-  const MeshTopology cut_topology = build_topology(open.F, static_cast<int>(open.V.rows()));
+  const MeshTopology cut_topology = build_topology(open.F);
   return handle_count(cut_topology, static_cast<int>(boundary_loops(cut_topology).size())) > 0;
 }
 
@@ -111,7 +111,7 @@ Edges opening_cuts(const TriangleMesh& mesh, const MeshTopology& topology,
   EdgeSet cuts;
   auto keep = [&](const std::vector<MeshPiece>& pieces, const auto& cuts_of) {
     for (const MeshPiece& piece : pieces) {
-      const MeshTopology own = build_topology(piece.mesh.F, static_cast<int>(piece.mesh.V.rows()));
+      const MeshTopology own = build_topology(piece.mesh.F);
       for (const auto& edge : cuts_of(piece.mesh, own)) {
         add_path({piece.original[edge[0]], piece.original[edge[1]]}, cuts);
       }

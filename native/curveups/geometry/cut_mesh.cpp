@@ -14,11 +14,6 @@ namespace curveups {
 
 CutMesh cut_open(const TriangleMesh& mesh, const MeshTopology& topology,
                  const std::vector<char>& cut) {
-  if (!cut.empty() && cut.size() != topology.edges.size()) {
-    throw InvalidInput("there are " + std::to_string(cut.size()) + " cut flags for " +
-                           std::to_string(topology.edges.size()) + " edges",
-                       "give one flag per edge");
-  }
   const int face_count = static_cast<int>(mesh.F.rows());
   // Corner t of face f is number 3 f + t, and a fan is named after its lowest one.
   DisjointSets fans(3 * static_cast<std::size_t>(face_count));

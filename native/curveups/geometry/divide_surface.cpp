@@ -13,6 +13,7 @@
 
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
+#include "curveups/core/sort_unique.hpp"
 #include "curveups/geometry/cut_graph.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
 #include "curveups/geometry/edge_paths.hpp"
@@ -69,8 +70,7 @@ class Regions {
         const std::vector<int>& more = around[open.F(f, t)];
         near.insert(near.end(), more.begin(), more.end());
       }
-      std::sort(near.begin(), near.end());
-      near.erase(std::unique(near.begin(), near.end()), near.end());
+      sort_unique(near);
       for (int g : near) {
         if (g != f) steps_[f].push_back({g, (middle[g] - middle[f]).norm()});
       }
@@ -295,7 +295,7 @@ std::vector<char> either(const std::vector<char>& a, const std::vector<char>& b)
 // Adds shortest paths inside of a piece that join its loops along borders to one.
 void join_loops(const MeshPiece& piece, const Pairs& borders, Pairs& slits) {
   const int count = static_cast<int>(piece.mesh.V.rows());
-  const MeshTopology topology = build_topology(piece.mesh.F, count);
+  const MeshTopology topology = build_topology(piece.mesh.F);
   std::vector<std::vector<int>> loops;
   for (std::vector<int>& loop : boundary_loops(topology)) {
     for (std::size_t k = 0; k < loop.size(); ++k) {

@@ -60,7 +60,7 @@ PathTree shortest_paths(const MeshTopology& topology, const std::vector<double>&
 std::vector<int> shortest_edge_path(const TriangleMesh& mesh, const Points3& points) {
   if (points.rows() == 0) throw InvalidInput("the polyline has no points", "give two or more");
   const int vertex_count = static_cast<int>(mesh.V.rows());
-  const MeshTopology topology = build_topology(mesh.F, vertex_count);
+  const MeshTopology topology = build_topology(mesh.F);
   const std::vector<double> length = edge_lengths(mesh, topology);
   std::vector<char> used(vertex_count, 0);
   for (int i = 0; i < mesh.F.size(); ++i) used[mesh.F.data()[i]] = 1;

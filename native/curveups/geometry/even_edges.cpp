@@ -35,9 +35,9 @@ double smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
   return std::min({angle(b - a, c - a), angle(c - b, a - b), angle(a - c, b - c)});
 }
 
-// Takes one damped step of all springs; free vertices return to the surface.
+// Takes one damped step of all springs; vertices that are not held return to the surface.
 void relax_springs(const Triangles& F, SurfacePoints& points, const MeshTopology& topology,
-                   double length, const std::vector<char>& free, const ClosestPoints& surface) {
+                   double length, const std::vector<char>& held, const ClosestPoints& surface) {
   const Points3& V = points.V;
   Points3 move = Points3::Zero(V.rows(), 3);
   Eigen::VectorXd degree = Eigen::VectorXd::Zero(V.rows());
@@ -52,7 +52,7 @@ void relax_springs(const Triangles& F, SurfacePoints& points, const MeshTopology
   }
   SurfacePoints moved = points;
   parallel_for(static_cast<int>(V.rows()), [&](int v) {
-    if (!free[v] || degree[v] == 0) return;
+    if (held[v] || degree[v] == 0) return;
     const Vec3 p = V.row(v) + 0.8 / degree[v] * move.row(v);
     const ClosestPoint closest = surface(p);
     moved.V.row(v) = closest.point;
@@ -103,7 +103,7 @@ void undo_unsound_moves(const Triangles& F, const SurfacePoints& before, Surface
 int flip_towards_regular(IsotropicMesh& mesh, const std::vector<char>& kept) {
   Triangles& F = mesh.mesh.F;
   const Points3& V = mesh.mesh.V;
-  const MeshTopology topology = build_topology(F, static_cast<int>(V.rows()));
+  const MeshTopology topology = build_topology(F);
   std::vector<int> excess(V.rows(), -6);
   std::unordered_set<std::uint64_t> joined;
   for (const MeshEdge& edge : topology.edges) {
@@ -156,16 +156,13 @@ int flip_towards_regular(IsotropicMesh& mesh, const std::vector<char>& kept) {
 SurfacePoints even_edges(IsotropicMesh& mesh, double length, int passes,
                          const ClosestPoints& surface, bool flips) {
   const int vertices = static_cast<int>(mesh.mesh.V.rows());
-  MeshTopology topology = build_topology(mesh.mesh.F, vertices);
-  std::vector<char> free(vertices, 1);
-  for (const MeshEdge& edge : topology.edges) {
-    if (edge.boundary()) free[edge.v[0]] = free[edge.v[1]] = 0;
-  }
+  MeshTopology topology = build_topology(mesh.mesh.F);
+  std::vector<char> held = boundary_vertices(topology, vertices);
   SurfacePoints points{mesh.mesh.V, Points3(vertices, 3)};
   std::vector<char> on_feature(vertices, 0);  // the surface has two normals there
   for (const auto& [a, b] : mesh.features) on_feature[a] = on_feature[b] = 1;
   parallel_for(vertices, [&](int v) {
-    if (mesh.fixed[v] || on_feature[v]) free[v] = 0;
+    held[v] |= mesh.fixed[v] || on_feature[v];
     if (on_feature[v]) {
       points.normal.row(v).setZero();
     } else {
@@ -173,10 +170,10 @@ SurfacePoints even_edges(IsotropicMesh& mesh, double length, int passes,
     }
   });
   for (int pass = 0; pass < passes; ++pass) {
-    relax_springs(mesh.mesh.F, points, topology, length, free, surface);
+    relax_springs(mesh.mesh.F, points, topology, length, held, surface);
     mesh.mesh.V = points.V;
     if (flips && pass % 4 == 3 && flip_towards_regular(mesh) > 0) {
-      topology = build_topology(mesh.mesh.F, vertices);
+      topology = build_topology(mesh.mesh.F);
     }
   }
   return points;

@@ -7,8 +7,6 @@
 #include <numeric>
 #include <set>
 
-#include "curveups/geometry/line_spacing.hpp"
-
 namespace curveups {
 namespace {
 
@@ -65,10 +63,6 @@ std::vector<int> nearest_lines(const std::vector<Line>& from, const std::vector<
     ++count;
   }
   return count == from.size() ? match : std::vector<int>();
-}
-
-double turn(const Vec3& in, const Vec3& out) {
-  return std::atan2(in.cross(out).norm(), in.dot(out));
 }
 
 // Indices of points of a closed line that are corners.
@@ -186,14 +180,6 @@ void lay(LineMap& map, const Line& from, const std::vector<double>& arcs, int co
   }
 }
 
-std::vector<char> vertices_of(const MeshTopology& topology, Eigen::Index count) {
-  std::vector<char> on_boundary(count, 0);
-  for (const MeshEdge& edge : topology.edges) {
-    if (edge.boundary()) on_boundary[edge.v[0]] = on_boundary[edge.v[1]] = 1;
-  }
-  return on_boundary;
-}
-
 std::vector<Line> borders_of(const MeshTopology& topology, const Points3& V) {
   std::vector<Line> lines;
   for (std::vector<int>& loop : boundary_loops(topology)) {
@@ -221,40 +207,10 @@ std::vector<char> ends_of(const std::vector<Line>& creases, Eigen::Index count) 
 
 }  // namespace
 
-Course::Course(std::vector<Vec3> line, bool is_closed)
-    : points(std::move(line)), closed(is_closed), arc(1, 0.0) {
-  const std::size_t edges = closed ? points.size() : points.size() - 1;
-  for (std::size_t i = 0; i < edges; ++i) {
-    arc.push_back(arc.back() + (points[(i + 1) % points.size()] - points[i]).norm());
-  }
-}
-
-Vec3 Course::at(double s) const {
-  s = closed ? s - length() * std::floor(s / length()) : std::clamp(s, 0.0, length());
-  const auto last = static_cast<int>(arc.size()) - 2;
-  const int i = std::clamp(
-      static_cast<int>(std::upper_bound(arc.begin(), arc.end(), s) - arc.begin()) - 1, 0, last);
-  const Vec3 &a = points[i], &b = points[(i + 1) % points.size()];
-  const double edge = arc[i + 1] - arc[i];
-  return a + (edge > 0 ? (s - arc[i]) / edge : 0.0) * (b - a);
-}
-
-Vec3 Course::closest(const Vec3& p) const {
-  Vec3 best = points[0];
-  for (std::size_t i = 0; i + 1 < arc.size(); ++i) {
-    const Vec3 &a = points[i], &b = points[(i + 1) % points.size()];
-    const Vec3 d = b - a;
-    const double size = d.squaredNorm();
-    const Vec3 q = a + (size > 0 ? std::clamp((p - a).dot(d) / size, 0.0, 1.0) : 0.0) * d;
-    if ((q - p).squaredNorm() < (best - p).squaredNorm()) best = q;
-  }
-  return best;
-}
-
 LineMap map_lines(const TriangleMesh& tiles, const Points3& guess, const TriangleMesh& surface,
                   const Edges& features, double crease_angle, double corner_angle) {
-  const MeshTopology own = build_topology(tiles.F, static_cast<int>(tiles.V.rows()));
-  const MeshTopology other = build_topology(surface.F, static_cast<int>(surface.V.rows()));
+  const MeshTopology own = build_topology(tiles.F);
+  const MeshTopology other = build_topology(surface.F);
   LineMap map;
   map.course.assign(tiles.V.rows(), -1);
   map.knot.assign(tiles.V.rows(), 0);
@@ -262,8 +218,8 @@ LineMap map_lines(const TriangleMesh& tiles, const Points3& guess, const Triangl
   std::vector<Line> old_creases, creases;
   if (features.rows() > 0) {
     const Edges sharp = crease_edges(tiles, own, crease_share * crease_angle, 0);
-    old_creases = creases_of(sharp, vertices_of(own, tiles.V.rows()), guess);
-    creases = creases_of(features, vertices_of(other, surface.V.rows()), surface.V);
+    old_creases = creases_of(sharp, boundary_vertices(own, tiles.V.rows()), guess);
+    creases = creases_of(features, boundary_vertices(other, surface.V.rows()), surface.V);
     for (int e = 0; e < sharp.rows(); ++e) map.features.push_back({sharp(e, 0), sharp(e, 1)});
   }
   const std::vector<char> old_ends = ends_of(old_creases, tiles.V.rows());

@@ -5,21 +5,9 @@
 #include <array>
 #include <vector>
 
-#include "curveups/geometry/triangle_mesh.hpp"
+#include "curveups/geometry/line_spacing.hpp"
 
 namespace curveups {
-
-// Polyline by arc length. arc: lengths up to its points, and the whole length of a closed one.
-struct Course {
-  std::vector<Vec3> points;
-  bool closed;
-  std::vector<double> arc;
-
-  Course(std::vector<Vec3> line, bool is_closed);
-  double length() const { return arc.back(); }
-  Vec3 at(double s) const;  // a closed line goes on beyond its ends
-  Vec3 closest(const Vec3& p) const;
-};
 
 enum class LineObstacle { none, borders, corners, creases };
 

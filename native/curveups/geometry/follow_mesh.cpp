@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "curveups/core/checkpoint.hpp"
+#include "curveups/core/disjoint_sets.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 #include "curveups/geometry/even_edges.hpp"
@@ -48,12 +49,14 @@ class Smoothing {
     }
     SparseMatrix lower(count, count);
     lower.setFromTriplets(entries.begin(), entries.end());
-    if (count > 0) solvable_ = factor_.factorize(lower);
+    if (count > 0 && !factor_.factorize(lower)) {
+      throw SolverFailure("the tiles could not be smoothed", "remesh the surface");
+    }
   }
 
   // right: per vertex. Values of fixed vertices stay.
   void solve(const Points3& right, Points3& values) const {
-    if (count_ == 0 || !solvable_) return;
+    if (count_ == 0) return;
     Eigen::MatrixXd b(count_, 3);
     for (Eigen::Index v = 0; v < right.rows(); ++v) {
       if (unknown_[v] >= 0) b.row(unknown_[v]) = right.row(v);
@@ -74,7 +77,6 @@ class Smoothing {
   const MeshTopology& topology_;
   std::vector<int> unknown_;
   int count_ = 0;
-  bool solvable_ = false;
   SparseCholesky factor_;
 };
 
@@ -109,18 +111,26 @@ Points3 on_surface(Points3 V, const std::vector<int>& course, const ClosestPoint
   return V;
 }
 
+// Marks vertices that no edges join to marked ones as well: nothing determines their values.
+std::vector<char> with_loose_parts(std::vector<char> fixed, const MeshTopology& topology) {
+  DisjointSets parts(fixed.size());
+  for (const MeshEdge& edge : topology.edges) parts.unite(edge.v[0], edge.v[1]);
+  std::vector<char> held(fixed.size(), 0);
+  const int count = static_cast<int>(fixed.size());
+  for (int v = 0; v < count; ++v) held[parts.find(v)] |= fixed[v];
+  for (int v = 0; v < count; ++v) fixed[v] |= !held[parts.find(v)];
+  return fixed;
+}
+
 // Places of all vertices on the surface.
 Points3 map_vertices(const Points3& guess, const LineMap& lines, const MeshTopology& topology,
                      const ClosestPoints& closest) {
   std::vector<char> fixed;
   for (int course : lines.course) fixed.push_back(course >= 0);
   const Points3 nothing = Points3::Zero(guess.rows(), 3);
-  Points3 V = guess, displacement = nothing;
-  if (std::count(fixed.begin(), fixed.end(), 1) > 0) {
-    displacement = lines.place - guess;
-    Smoothing(topology, fixed, 0).solve(nothing, displacement);
-    V += displacement;
-  }
+  Points3 displacement = lines.place - guess;
+  Smoothing(topology, with_loose_parts(fixed, topology), 0).solve(nothing, displacement);
+  Points3 V = guess + displacement;
   const double stiffness = 0.3;  // smooths over some two edges
   const Smoothing smoothing(topology, fixed, stiffness);
   for (int round = 0; round < projection_rounds; ++round) {
@@ -134,7 +144,7 @@ Points3 map_vertices(const Points3& guess, const LineMap& lines, const MeshTopol
 }
 
 std::string other_topology(const MeshTopology& own, const TriangleMesh& surface) {
-  const MeshTopology other = build_topology(surface.F, static_cast<int>(surface.V.rows()));
+  const MeshTopology other = build_topology(surface.F);
   const auto parts = [](const MeshTopology& topology) {
     const std::vector<int> part = face_components(topology, {});
     return part.empty() ? 0 : *std::max_element(part.begin(), part.end()) + 1;
@@ -191,7 +201,7 @@ void grow(std::vector<char>& marked, const MeshTopology& topology, int rings) {
 std::vector<int> relax(LocalEdits& edits, const OldLengths& old, double mean,
                        std::vector<char> near, const ClosestPoints& closest) {
   IsotropicMesh& mesh = edits.mesh;
-  const MeshTopology topology = build_topology(mesh.mesh.F, static_cast<int>(mesh.mesh.V.rows()));
+  const MeshTopology topology = build_topology(mesh.mesh.F);
   const std::vector<EdgeSize> sizes = sizes_of(edits, topology, old, mean);
   for (std::size_t e = 0; e < sizes.size(); ++e) {
     const MeshEdge& edge = topology.edges[e];
@@ -212,7 +222,7 @@ std::vector<int> relax(LocalEdits& edits, const OldLengths& old, double mean,
 std::vector<char> edit(LocalEdits& edits, const OldLengths& old, double mean, double L,
                        const ClosestPoints& closest) {
   const TriangleMesh& mesh = edits.mesh.mesh;
-  const MeshTopology topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
+  const MeshTopology topology = build_topology(mesh.F);
   const std::vector<EdgeSize> sizes = sizes_of(edits, topology, old, mean);
   const double above = split_above * std::max(1.0, L / mean),
                below = collapse_below * std::min(1.0, L / mean);
@@ -251,7 +261,7 @@ FollowedMesh follow_mesh(const TriangleMesh& tiles, const TriangleMesh& surface,
   }
   const ClosestPoints closest(surface);
   FollowedMesh out;
-  const MeshTopology own = build_topology(tiles.F, static_cast<int>(tiles.V.rows()));
+  const MeshTopology own = build_topology(tiles.F);
   out.obstacle = other_topology(own, surface);
   if (!out.obstacle.empty()) return out;
   checkpoint("following the surface", 0);
@@ -260,8 +270,8 @@ FollowedMesh follow_mesh(const TriangleMesh& tiles, const TriangleMesh& surface,
   if (options.features) {
     features = *options.features;
   } else if (options.crease_angle < 3.14159) {
-    features = crease_edges(surface, build_topology(surface.F, static_cast<int>(surface.V.rows())),
-                            options.crease_angle, 2 * options.L);
+    features =
+        crease_edges(surface, build_topology(surface.F), options.crease_angle, 2 * options.L);
   }
   const Points3 guess = first_guess(tiles, surface, closest, options.L);
   LineMap lines = map_lines(tiles, guess, surface, features, options.crease_angle, corner_angle);
@@ -305,8 +315,7 @@ FollowedMesh follow_mesh(const TriangleMesh& tiles, const TriangleMesh& surface,
     out.obstacle = "many";
     return out;
   }
-  const std::vector<double> lengths =
-      edge_lengths(out.mesh, build_topology(out.mesh.F, static_cast<int>(out.mesh.V.rows())));
+  const std::vector<double> lengths = edge_lengths(out.mesh, build_topology(out.mesh.F));
   out.mean_edge = mean_of(lengths);
   double squares = 0;
   for (double length : lengths) squares += (length - out.mean_edge) * (length - out.mean_edge);

@@ -34,7 +34,7 @@ struct FollowedMesh {
 // Obstacles: "parts", "borders", "corners", "creases", "edges" (another mean edge than L), "far"
 // (parts of the surface would have no tiles), "folded" (tiles would be turned over), "many" (too
 // many new tiles). Deterministic. Throws what build_topology and boundary_loops throw, InvalidInput
-// (vertices not finite, L not positive), Cancelled.
+// (L not positive), SolverFailure, Cancelled.
 FollowedMesh follow_mesh(const TriangleMesh& tiles, const TriangleMesh& surface,
                          const FollowOptions& options);
 

@@ -8,6 +8,8 @@
 #include <set>
 #include <unordered_map>
 
+#include "curveups/core/sort_unique.hpp"
+
 namespace curveups {
 namespace {
 
@@ -19,10 +21,7 @@ Neighbours neighbours_of(const Edges& edges) {
     next[edges(e, 0)].push_back(edges(e, 1));
     next[edges(e, 1)].push_back(edges(e, 0));
   }
-  for (auto& [vertex, list] : next) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-  }
+  for (auto& [vertex, list] : next) sort_unique(list);
   return next;
 }
 
@@ -35,42 +34,19 @@ struct Mark {
 // Share of an edge within which its ends replace a point.
 constexpr double snap_share = 1e-6;
 
-double turn(const Vec3& in, const Vec3& out) {
-  return std::atan2(in.cross(out).norm(), in.dot(out));
-}
-
-// Line by arc length. arc: lengths up to its vertices, and the whole length of a closed one.
-struct Arc {
-  const Points3& V;
-  const FeatureLine& line;
-  const std::vector<double>& arc;
-
-  Vec3 at(double s) const {
-    const double whole = arc.back();
-    s = line.closed ? s - whole * std::floor(s / whole) : std::clamp(s, 0.0, whole);
-    const auto last = static_cast<int>(arc.size()) - 2;
-    const int i = std::clamp(
-        static_cast<int>(std::upper_bound(arc.begin(), arc.end(), s) - arc.begin()) - 1, 0, last);
-    const Vec3 a = V.row(line.vertices[i]);
-    const Vec3 b = V.row(line.vertices[(i + 1) % line.vertices.size()]);
-    const double edge = arc[i + 1] - arc[i];
-    return a + (edge > 0 ? (s - arc[i]) / edge : 0.0) * (b - a);
-  }
-  double between(double s, double t) const {
-    const double d = std::abs(s - t);
-    return line.closed ? std::min(d, arc.back() - d) : d;
-  }
-};
-
 // Corners at which the line turns as seen from `reach` away.
-std::vector<int> wide_corners(const Arc& arc, const std::vector<int>& corners, double corner_angle,
-                              double reach) {
-  reach = std::min(reach, arc.arc.back() / 8);
+std::vector<int> wide_corners(const Course& line, const std::vector<int>& corners,
+                              double corner_angle, double reach) {
+  reach = std::min(reach, line.length() / 8);
+  const auto between = [&](double s, double t) {
+    const double d = std::abs(s - t);
+    return line.closed ? std::min(d, line.length() - d) : d;
+  };
   std::vector<double> turns;
   for (int i : corners) {
-    const double s = arc.arc[i];
-    const Vec3 here = arc.at(s);
-    turns.push_back(turn(here - arc.at(s - reach), arc.at(s + reach) - here));
+    const double s = line.arc[i];
+    const Vec3 here = line.at(s);
+    turns.push_back(turn(here - line.at(s - reach), line.at(s + reach) - here));
   }
   const int count = static_cast<int>(corners.size());
   std::vector<int> out;
@@ -79,7 +55,7 @@ std::vector<int> wide_corners(const Arc& arc, const std::vector<int>& corners, d
     for (int step : {1, -1}) {
       for (int away = 1; away < count && sharpest; ++away) {
         const int j = ((k + step * away) % count + count) % count;
-        if (arc.between(arc.arc[corners[k]], arc.arc[corners[j]]) > reach) break;
+        if (between(line.arc[corners[k]], line.arc[corners[j]]) > reach) break;
         sharpest = turns[j] < turns[k] || (turns[j] == turns[k] && k < j);
       }
     }
@@ -95,19 +71,21 @@ std::vector<Mark> marks_of_line(const Points3& V, const FeatureLine& whole, doub
   const std::vector<int>& line = whole.vertices;
   const int count = static_cast<int>(line.size());
   const int edges = whole.closed ? count : count - 1;
-  std::vector<double> arc(1, 0.0);
+  std::vector<Vec3> points;
+  for (int v : line) points.emplace_back(V.row(v));
+  const Course course(std::move(points), whole.closed);
+  const std::vector<double>& arc = course.arc;
   std::vector<int> corners, kept;
   for (int i = 0; i < count; ++i) {
     const Vec3 in = V.row(line[i]) - V.row(line[(i + count - 1) % count]);
     const Vec3 out = V.row(line[(i + 1) % count]) - V.row(line[i]);
-    if (i < edges) arc.push_back(arc.back() + out.norm());
     if ((!whole.closed && (i == 0 || i == count - 1)) || is_corner[line[i]]) {
       kept.push_back(i);
     } else if (turn(in, out) > corner_angle) {
       corners.push_back(i);
     }
   }
-  if (reach > 0) corners = wide_corners({V, whole, arc}, corners, corner_angle, reach);
+  if (reach > 0) corners = wide_corners(course, corners, corner_angle, reach);
   corners.insert(corners.end(), kept.begin(), kept.end());
   std::sort(corners.begin(), corners.end());
   const bool smooth = corners.empty();
@@ -141,6 +119,40 @@ std::vector<Mark> marks_of_line(const Points3& V, const FeatureLine& whole, doub
 }
 
 }  // namespace
+
+double turn(const Vec3& in, const Vec3& out) {
+  return std::atan2(in.cross(out).norm(), in.dot(out));
+}
+
+Course::Course(std::vector<Vec3> line, bool is_closed)
+    : points(std::move(line)), closed(is_closed), arc(1, 0.0) {
+  const std::size_t edges = closed ? points.size() : points.size() - 1;
+  for (std::size_t i = 0; i < edges; ++i) {
+    arc.push_back(arc.back() + (points[(i + 1) % points.size()] - points[i]).norm());
+  }
+}
+
+Vec3 Course::at(double s) const {
+  s = closed ? s - length() * std::floor(s / length()) : std::clamp(s, 0.0, length());
+  const auto last = static_cast<int>(arc.size()) - 2;
+  const int i = std::clamp(
+      static_cast<int>(std::upper_bound(arc.begin(), arc.end(), s) - arc.begin()) - 1, 0, last);
+  const Vec3 &a = points[i], &b = points[(i + 1) % points.size()];
+  const double edge = arc[i + 1] - arc[i];
+  return a + (edge > 0 ? (s - arc[i]) / edge : 0.0) * (b - a);
+}
+
+Vec3 Course::closest(const Vec3& p) const {
+  Vec3 best = points[0];
+  for (std::size_t i = 0; i + 1 < arc.size(); ++i) {
+    const Vec3 &a = points[i], &b = points[(i + 1) % points.size()];
+    const Vec3 d = b - a;
+    const double size = d.squaredNorm();
+    const Vec3 q = a + (size > 0 ? std::clamp((p - a).dot(d) / size, 0.0, 1.0) : 0.0) * d;
+    if ((q - p).squaredNorm() < (best - p).squaredNorm()) best = q;
+  }
+  return best;
+}
 
 Edges crease_edges(const TriangleMesh& mesh, const MeshTopology& topology, double angle,
                    double least) {
@@ -207,10 +219,11 @@ std::vector<FeatureLine> feature_lines(const Edges& edges, const std::vector<cha
 
 IsotropicMesh space_lines(const TriangleMesh& mesh, const Edges& features, double length,
                           double corner_angle, double reach) {
-  const MeshTopology topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
+  const MeshTopology topology = build_topology(mesh.F);
   std::vector<Vec3> points(mesh.V.rows());
   for (int v = 0; v < mesh.V.rows(); ++v) points[v] = mesh.V.row(v);
-  std::vector<char> fixed(points.size(), 0), on_boundary(points.size(), 0);
+  const std::vector<char> on_boundary = boundary_vertices(topology, mesh.V.rows());
+  std::vector<char> fixed(points.size(), 0);
   std::vector<char> is_corner(points.size(), 0);   // boundary loops end features there
   std::map<std::array<int, 2>, int> edge_between;  // on lines
   for (int e = 0; e < features.rows(); ++e) {
@@ -222,7 +235,6 @@ IsotropicMesh space_lines(const TriangleMesh& mesh, const Edges& features, doubl
     const MeshEdge& edge = topology.edges[e];
     const std::array<int, 2> pair{std::min(edge.v[0], edge.v[1]), std::max(edge.v[0], edge.v[1])};
     if (edge.boundary()) {
-      on_boundary[edge.v[0]] = on_boundary[edge.v[1]] = 1;
       edge_between[pair] = static_cast<int>(e);
     } else if (features.rows() > 0) {
       const auto it = edge_between.find(pair);

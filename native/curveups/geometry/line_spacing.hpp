@@ -3,9 +3,26 @@
 // evenly spaced vertices on them.
 #pragma once
 
+#include <vector>
+
 #include "curveups/geometry/isotropic_mesh.hpp"
 
 namespace curveups {
+
+// Polyline by arc length. arc: lengths up to its points, and the whole length of a closed one.
+struct Course {
+  std::vector<Vec3> points;
+  bool closed;
+  std::vector<double> arc;
+
+  Course(std::vector<Vec3> line, bool is_closed);
+  double length() const { return arc.back(); }
+  Vec3 at(double s) const;  // a closed line goes on beyond its ends
+  Vec3 closest(const Vec3& p) const;
+};
+
+// Angle between the directions of two edges, rad.
+double turn(const Vec3& in, const Vec3& out);
 
 // Interior edges (vertex pairs, lower vertex first, ascending) where the normals of the two faces
 // differ by more than `angle` (rad). Connected sets of edges shorter than `least` (mm) altogether

@@ -30,10 +30,6 @@ namespace pmp = CGAL::Polygon_mesh_processing;
 
 constexpr double tile_area = 0.433;  // area of an equilateral triangle, in L^2
 
-MeshTopology topology_of(const TriangleMesh& mesh) {
-  return build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
-}
-
 UsedPart without_faces(const TriangleMesh& mesh, const std::vector<char>& gone) {
   std::vector<int> kept;
   for (int f = 0; f < mesh.F.rows(); ++f) {
@@ -47,7 +43,7 @@ UsedPart without_faces(const TriangleMesh& mesh, const std::vector<char>& gone) 
 bool is_manifold(const TriangleMesh& mesh) {
   try {
     // cut_open makes several vertices of one with several fans.
-    return cut_open(mesh, topology_of(mesh), {}).mesh.V.rows() == mesh.V.rows();
+    return cut_open(mesh, build_topology(mesh.F), {}).mesh.V.rows() == mesh.V.rows();
   } catch (const TopologyError&) {
     return false;
   }
@@ -77,7 +73,7 @@ int part_manifolds(TriangleMesh& mesh) {
 
 // Boundary loops shorter than `longest` (mm), but for the longest one of each component.
 std::vector<std::vector<int>> small_holes(const TriangleMesh& mesh, double longest) {
-  const MeshTopology topology = topology_of(mesh);
+  const MeshTopology topology = build_topology(mesh.F);
   const std::vector<int> component = face_components(topology, {});
   std::map<int, int> component_at;  // a vertex of the boundary
   for (const MeshEdge& edge : topology.edges) {
@@ -131,7 +127,7 @@ int fill_holes(TriangleMesh& given, const std::vector<std::vector<int>>& holes) 
 
 // Components that are too small for anything; returns how many.
 int remove_crumbs(TriangleMesh& mesh, double L) {
-  const std::vector<int> component = face_components(topology_of(mesh), {});
+  const std::vector<int> component = face_components(build_topology(mesh.F), {});
   if (component.empty()) return 0;
   std::vector<double> area(*std::max_element(component.begin(), component.end()) + 1, 0);
   for (int f = 0; f < mesh.F.rows(); ++f) area[component[f]] += face_area_vector(mesh, f).norm();
@@ -162,11 +158,9 @@ int replace_intersections(TriangleMesh& mesh, double L, bool& left) {
   const std::vector<int> crossing = self_intersecting_faces(mesh);
   left = !crossing.empty();
   if (!left) return 0;
-  std::vector<char> gone(mesh.F.rows(), 0), on_boundary(mesh.V.rows(), 0);
+  std::vector<char> gone(mesh.F.rows(), 0);
   for (int f : crossing) gone[f] = 1;
-  for (const MeshEdge& edge : topology_of(mesh).edges) {
-    if (edge.boundary()) on_boundary[edge.v[0]] = on_boundary[edge.v[1]] = 1;
-  }
+  const std::vector<char> on_boundary = boundary_vertices(build_topology(mesh.F), mesh.V.rows());
   for (int rings = 1; rings <= 4; ++rings) {
     grow(mesh, gone);
     double area = 0;
@@ -182,7 +176,7 @@ int replace_intersections(TriangleMesh& mesh, double L, bool& left) {
     }
     std::vector<std::vector<int>> gaps;
     bool inside = true;  // no gap reaches the boundary
-    for (std::vector<int>& loop : boundary_loops(topology_of(open))) {
+    for (std::vector<int>& loop : boundary_loops(build_topology(open.F))) {
       const auto old = static_cast<std::size_t>(
           std::count_if(loop.begin(), loop.end(), [&](int v) { return was_boundary[v] != 0; }));
       if (old == loop.size()) continue;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "curveups/core/sort_unique.hpp"
 #include "curveups/core/tolerances.hpp"
 #include "curveups/geometry/clean_mesh.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
@@ -27,8 +28,7 @@ class Findings {
   // Adds rows of faces or vertices (`what`), unless there are none.
   void add_rows(const char* kind, const char* what, std::vector<int> rows) {
     if (rows.empty()) return;
-    std::sort(rows.begin(), rows.end());
-    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    sort_unique(rows);
     const int count = static_cast<int>(rows.size());
     add(kind, {{"count", count}, {what, std::move(rows)}});
   }
@@ -72,12 +72,9 @@ void check_manifold(const TriangleMesh& mesh, Findings& findings) {
     findings.add_rows(two_sided ? "inconsistent-orientation" : "one-sided", "faces", twisted);
     return;
   }
-  const MeshTopology topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
+  const MeshTopology topology = build_topology(mesh.F);
   const CutMesh fans = cut_open(mesh, topology, {});
-  std::vector<char> on_boundary(mesh.V.rows(), 0);
-  for (const MeshEdge& edge : topology.edges) {
-    if (edge.boundary()) on_boundary[edge.v[0]] = on_boundary[edge.v[1]] = 1;
-  }
+  const std::vector<char> on_boundary = boundary_vertices(topology, mesh.V.rows());
   std::vector<int> pinched, touching;
   for (std::size_t c = mesh.V.rows(); c < fans.original.size(); ++c) {
     (on_boundary[fans.original[c]] ? touching : pinched).push_back(fans.original[c]);
@@ -88,7 +85,7 @@ void check_manifold(const TriangleMesh& mesh, Findings& findings) {
 
 void check_shape(const TriangleMesh& mesh, double L, bool cuts_given, bool without_crossings,
                  Findings& findings) {
-  const MeshTopology topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
+  const MeshTopology topology = build_topology(mesh.F);
   const std::vector<int> component = face_components(topology, {});
   const int count = *std::max_element(component.begin(), component.end()) + 1;
   std::vector<char> open(count, 0);

@@ -9,27 +9,30 @@
 namespace curveups {
 namespace {
 
-// Row of the arguments as CGAL's BoxIntersectionBox_d.
-struct RowBox {
+// Box of the argument as CGAL's BoxIntersectionBox_d.
+struct NumberedBox {
   using NT = double;
   using ID = int;
-  const Points3 *low, *high;
-  int row;
+  const Eigen::AlignedBox3d* box;
+  int number;
   static int dimension() { return 3; }
-  ID id() const { return row; }
-  NT min_coord(int d) const { return (*low)(row, d); }
-  NT max_coord(int d) const { return (*high)(row, d); }
+  ID id() const { return number; }
+  NT min_coord(int d) const { return box->min()[d]; }
+  NT max_coord(int d) const { return box->max()[d]; }
 };
 
 }  // namespace
 
-std::vector<std::array<int, 2>> overlapping_boxes(const Points3& low, const Points3& high) {
-  std::vector<RowBox> boxes;
-  for (int i = 0; i < low.rows(); ++i) boxes.push_back({&low, &high, i});
+std::vector<std::array<int, 2>> overlapping_boxes(const std::vector<Eigen::AlignedBox3d>& boxes) {
+  std::vector<NumberedBox> numbered;
+  for (const Eigen::AlignedBox3d& box : boxes) {
+    numbered.push_back({&box, static_cast<int>(numbered.size())});
+  }
   std::vector<std::array<int, 2>> pairs;
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const RowBox& a, const RowBox& b) {
-    pairs.push_back({std::min(a.row, b.row), std::max(a.row, b.row)});
-  });
+  CGAL::box_self_intersection_d(
+      numbered.begin(), numbered.end(), [&](const NumberedBox& a, const NumberedBox& b) {
+        pairs.push_back({std::min(a.number, b.number), std::max(a.number, b.number)});
+      });
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }

@@ -9,8 +9,12 @@
 
 namespace curveups {
 
-// low, high: n x 3 corners of boxes (z = 0 throughout for flat ones). Returns all pairs i < j whose
-// boxes overlap or touch, in ascending order.
-std::vector<std::array<int, 2>> overlapping_boxes(const Points3& low, const Points3& high);
+// Returns all pairs i < j whose boxes overlap or touch, in ascending order. Flat boxes have z = 0.
+std::vector<std::array<int, 2>> overlapping_boxes(const std::vector<Eigen::AlignedBox3d>& boxes);
+
+// Box with its faces moved out by `margin`.
+inline Eigen::AlignedBox3d grown(const Eigen::AlignedBox3d& box, double margin) {
+  return {box.min() - Vec3::Constant(margin), box.max() + Vec3::Constant(margin)};
+}
 
 }  // namespace curveups

@@ -31,8 +31,7 @@ struct EdgeStatistics {
 };
 
 EdgeStatistics edge_statistics(const TriangleMesh& mesh) {
-  const std::vector<double> lengths =
-      edge_lengths(mesh, build_topology(mesh.F, static_cast<int>(mesh.V.rows())));
+  const std::vector<double> lengths = edge_lengths(mesh, build_topology(mesh.F));
   double sum = 0, squares = 0;
   for (double length : lengths) {
     sum += length;
@@ -44,14 +43,14 @@ EdgeStatistics edge_statistics(const TriangleMesh& mesh) {
 }
 
 std::size_t boundary_loop_count(const TriangleMesh& mesh) {
-  return boundary_loops(build_topology(mesh.F, static_cast<int>(mesh.V.rows()))).size();
+  return boundary_loops(build_topology(mesh.F)).size();
 }
 
 Edges all_features(const TriangleMesh& surface, const std::vector<std::array<int, 2>>& given,
                    const RemeshOptions& options) {
   Edges creases(0, 2);
   if (options.crease_angle < 3.14159) {
-    const MeshTopology topology = build_topology(surface.F, static_cast<int>(surface.V.rows()));
+    const MeshTopology topology = build_topology(surface.F);
     creases = crease_edges(surface, topology, options.crease_angle, 2 * options.L);
   }
   Edges out(creases.rows() + static_cast<Eigen::Index>(given.size()), 2);
@@ -103,18 +102,18 @@ RemeshResult remesh(const TriangleMesh& surface, const RemeshOptions& options) {
   if (!(options.L > 0) || !std::isfinite(options.L)) {
     throw InvalidInput("L must be a positive length", "give L in mm");
   }
-  const ClosestPoints closest(surface);  // refuses empty and non-finite surfaces
+  const ClosestPoints closest(surface);
   for (int f = 0; f < surface.F.rows(); ++f) {
     checkpoint_now_and_then(static_cast<std::size_t>(f));
     if (has_no_area(surface, f)) {
-      throw InvalidInput("face " + std::to_string(f) + " of the surface has no area",
+      throw InvalidInput("face " + std::to_string(f + 1) + " of the surface has no area",
                          "clean the mesh first");
     }
     for (int t = 0; t < 3; ++t) {
       const double length =
           (surface.V.row(surface.F(f, next3(t))) - surface.V.row(surface.F(f, t))).norm();
       if (length <= longest_edge_of_L * options.L) continue;
-      throw InvalidInput("face " + std::to_string(f) + " of the surface has an edge of " +
+      throw InvalidInput("face " + std::to_string(f + 1) + " of the surface has an edge of " +
                              std::to_string(static_cast<long long>(length)) + " mm, L is " +
                              std::to_string(options.L) + " mm",
                          "look for a vertex far away from the others, or choose a larger L");
@@ -128,7 +127,7 @@ RemeshResult remesh(const TriangleMesh& surface, const RemeshOptions& options) {
                        "check the unit of the file (scale), or choose a larger L");
   }
   checkpoint("remeshing", 0);
-  const MeshTopology topology = build_topology(surface.F, static_cast<int>(surface.V.rows()));
+  const MeshTopology topology = build_topology(surface.F);
   checkpoint();
   const std::vector<MeshPiece> parts = parts_of(surface, face_components(topology, {}));
   RemeshResult result;

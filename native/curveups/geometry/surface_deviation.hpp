@@ -11,15 +11,14 @@ namespace curveups {
 // the distance from a point to the nearest sample, two thirds of the step.
 inline constexpr double sample_step = 1.0 / 8;
 
-// Largest distance of samples of the mesh's faces from the surface, mm. Throws what ClosestPoints
-// throws, Cancelled.
+// Largest distance of samples of the mesh's faces from the surface, mm. Throws Cancelled.
 double largest_distance(const TriangleMesh& mesh, const TriangleMesh& surface);
 
 struct Deviation {
   double mean = 0, rms = 0, max = 0;  // distance of the mesh from the target, by area, mm
   double hausdorff = 0;               // largest distance in both directions
 };
-// Throws what ClosestPoints throws of either, Cancelled.
+// Throws Cancelled.
 Deviation surface_deviation(const TriangleMesh& mesh, const TriangleMesh& target);
 
 }  // namespace curveups

@@ -29,7 +29,7 @@ UsedPart used_part(const Points3& V, Triangles F) {
   return out;
 }
 
-MeshTopology build_topology(const Triangles& F, int vertex_count) {
+MeshTopology build_topology(const Triangles& F) {
   const int face_count = static_cast<int>(F.rows());
   MeshTopology topology;
   topology.edge_of.setConstant(face_count, 3, -1);
@@ -41,11 +41,6 @@ MeshTopology build_topology(const Triangles& F, int vertex_count) {
     checkpoint_now_and_then(f);
     for (int t = 0; t < 3; ++t) {
       const int a = F(f, t), b = F(f, next3(t));
-      if (a < 0 || a >= vertex_count) {
-        throw TopologyError("face " + std::to_string(f + 1) + " names vertex " + std::to_string(a) +
-                                ", the mesh has " + std::to_string(vertex_count),
-                            "repair the file", {f});
-      }
       if (a == b) {
         throw TopologyError("face " + std::to_string(f + 1) + " uses a vertex twice",
                             "remove degenerate faces", {f});
@@ -84,6 +79,14 @@ MeshTopology build_topology(const Triangles& F, int vertex_count) {
                         "make the normals consistent", twisted);
   }
   return topology;
+}
+
+std::vector<char> boundary_vertices(const MeshTopology& topology, Eigen::Index vertex_count) {
+  std::vector<char> marked(vertex_count, 0);
+  for (const MeshEdge& edge : topology.edges) {
+    if (edge.boundary()) marked[edge.v[0]] = marked[edge.v[1]] = 1;
+  }
+  return marked;
 }
 
 std::vector<std::vector<int>> boundary_loops(const MeshTopology& topology) {
@@ -163,8 +166,7 @@ double loop_length(const Points3& V, const std::vector<int>& loop) {
 }
 
 double mean_edge_length(const TriangleMesh& mesh) {
-  const std::vector<double> length =
-      edge_lengths(mesh, build_topology(mesh.F, static_cast<int>(mesh.V.rows())));
+  const std::vector<double> length = edge_lengths(mesh, build_topology(mesh.F));
   const double sum = std::accumulate(length.begin(), length.end(), 0.0);
   return length.empty() ? 0.0 : sum / static_cast<double>(length.size());
 }

@@ -52,9 +52,12 @@ struct MeshTopology {
   Triangles neighbour;          // M x 3: the face across each side, -1 on the boundary
 };
 
-// Throws TopologyError, naming the faces, for an index out of range, a face that uses a vertex
-// twice, an edge of more than two faces, and an edge with two faces in the same direction.
-MeshTopology build_topology(const Triangles& F, int vertex_count);
+// Throws TopologyError, naming the faces, for a face that uses a vertex twice, an edge of more than
+// two faces, and an edge with two faces in the same direction.
+MeshTopology build_topology(const Triangles& F);
+
+// Marks the vertices of boundary edges.
+std::vector<char> boundary_vertices(const MeshTopology& topology, Eigen::Index vertex_count);
 
 // Boundary loops: vertices with the surface on their left. Throws TopologyError where the boundary
 // touches itself in a vertex.

@@ -30,7 +30,7 @@ struct Piece {
   Piece(const TileMesh& all, MeshPiece&& piece)
       : tiles(all),
         part(std::move(piece)),
-        topology(build_topology(part.mesh.F, static_cast<int>(part.mesh.V.rows()))),
+        topology(build_topology(part.mesh.F)),
         loops(boundary_loops(topology)),
         on_boundary(part.mesh.V.rows(), 0),
         neighbours(part.mesh.V.rows()),
@@ -156,14 +156,9 @@ void find_weak(const Piece& piece, const std::vector<std::array<int, 2>>& weak,
 
 // Each loop but the longest: the shortest path to another one.
 void find_holes(const Piece& piece, std::vector<Place>& places) {
-  std::vector<double> round(piece.loops.size(), 0);
-  for (std::size_t l = 0; l < piece.loops.size(); ++l) {
-    const std::vector<int>& loop = piece.loops[l];
-    for (std::size_t k = 0; k < loop.size(); ++k) {
-      round[l] +=
-          (piece.part.mesh.V.row(loop[(k + 1) % loop.size()]) - piece.part.mesh.V.row(loop[k]))
-              .norm();
-    }
+  std::vector<double> round;
+  for (const std::vector<int>& loop : piece.loops) {
+    round.push_back(loop_length(piece.part.mesh.V, loop));
   }
   const std::size_t outer =
       static_cast<std::size_t>(std::max_element(round.begin(), round.end()) - round.begin());

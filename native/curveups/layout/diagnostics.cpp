@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "curveups/core/errors.hpp"
+#include "curveups/core/sort_unique.hpp"
 #include "curveups/core/tolerances.hpp"
 #include "curveups/design/joints.hpp"
 #include "curveups/design/membrane_clearance.hpp"
@@ -27,11 +28,6 @@ constexpr double least_scale = 1e-6;
 template <class T>
 int size_of(const std::vector<T>& items) {
   return static_cast<int>(items.size());
-}
-
-void sort_unique(std::vector<int>& tiles) {
-  std::sort(tiles.begin(), tiles.end());
-  tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
 }
 
 double dihedral_margin(const TileMesh& tiles, int i, int t, double scale) {

@@ -57,10 +57,7 @@ LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& para
   require_pin_regions(geometry.pin_bounds);
   LayoutModel model = make_layout_model(geometry, parameters);
   LayoutState state = initial_layout(model, earlier);
-  LayoutTerms energies = make_energies(model);
-  InteriorPoint method(
-      {std::make_move_iterator(energies.begin()), std::make_move_iterator(energies.end())},
-      make_constraints(model), inset_bounds(model));
+  InteriorPoint method(make_energies(model), make_constraints(model), inset_bounds(model));
   const LayoutTerms terms = make_energies(model);  // for the callback and the report
   LayoutResult result;
   const bool draft = effort == LayoutEffort::draft;

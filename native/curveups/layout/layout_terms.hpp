@@ -16,7 +16,7 @@ namespace curveups {
 inline constexpr double w_a = 30, w_p = 30, w_s = 1;
 
 using LayoutTerm = Residuals;
-using LayoutTerms = std::vector<std::unique_ptr<LayoutTerm>>;
+using LayoutTerms = ResidualsList;
 
 // Residuals of Eq. 9, weighted: E = sum of squares, twice the terms' values. The terms refer to the
 // model.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "curveups/core/checkpoint.hpp"
+#include "curveups/core/sort_unique.hpp"
 
 namespace curveups {
 namespace {
@@ -21,10 +22,7 @@ Above neighbours_above(const std::vector<int>& number, int count,
     if (i < 0 || j < 0 || number[i] < 0 || number[j] < 0 || i == j) continue;
     above[std::min(number[i], number[j])].push_back(std::max(number[i], number[j]));
   }
-  for (std::vector<int>& list : above) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-  }
+  for (std::vector<int>& list : above) sort_unique(list);
   return above;
 }
 

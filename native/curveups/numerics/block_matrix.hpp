@@ -13,6 +13,11 @@
 
 namespace curveups {
 
+// A row for each block, stored row by row.
+template <int W>
+using BlockVector =
+    Eigen::Matrix<double, Eigen::Dynamic, W, W == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
+
 // Two blocks of unknowns that an element joins; negative: none.
 using Coupling = std::array<int, 2>;
 

@@ -20,7 +20,7 @@ constexpr int max_iterations = 100;
 // (With the force itself the relaxed program loses all digits at the end.) Balance: A f + a s + b =
 // 0, a = A applied to a unit normal force at every point, or 0. Slacks:
 //   circle (a cone per point): (mu (f_n + floor + rho s), f_t); rho is 1, relaxed 0, of friction
-//                              -weight / mu
+//                              -1 / mu
 //   floor (a half-line per point): f_n
 //   cap (the last half-line):      1 - s
 class ConeProgram : public ConeProblem {
@@ -32,14 +32,14 @@ class ConeProgram : public ConeProblem {
         count_(system.point_count()),
         b_(b),
         mu_(options.friction_coefficient),
-        floor_(options.weight.size() > 0 ? options.floor : 0),
+        floor_(options.friction ? options.floor : 0),
         rho_(VectorXd::Constant(count_, options.relaxed ? 0 : 1)),
         tolerance_(options.tolerance) {
     VectorXd normals = VectorXd::Zero(3 * count_);
     for (int p = 0; p < count_; ++p) normals(3 * p) = 1;
     a_ = system_.apply(normals);
-    if (options.weight.size() == 0) return;
-    rho_ = -options.weight / mu_;
+    if (!options.friction) return;
+    rho_.setConstant(-1 / mu_);
     b_ += floor_ * a_;
     a_.setZero();
     lifts_ = false;

@@ -3,7 +3,7 @@
 // with A f + b = 0 and the exact circular cone at every point:
 //   floor:     maximise s   subject to  n >= s,      |t| <= mu n,              s <= 1;
 //   relaxed:   the same with |t| <= mu (n - s), which always has a solution;
-//   friction:  maximise s   subject to  n >= floor,  |t| <= mu n - s weight,  s <= 1.
+//   friction:  maximise s   subject to  n >= floor,  |t| <= mu n - s,         s <= 1.
 // The interior-point method (cone_method.hpp) works on the normal equations A D A^T, with one
 // factorization a step
 // (L. Vandenberghe, "The CVXOPT linear and quadratic cone program solvers", 2010).
@@ -33,9 +33,9 @@ class ForceMap {
 struct ConeOptions {
   double friction_coefficient = 0.5;  // mu
   bool relaxed = false;
-  double tolerance = 1e-4;      // on s
-  Eigen::VectorXd weight = {};  // per point, positive: the program of friction; else empty
-  double floor = 0;             // with `weight`
+  double tolerance = 1e-4;  // on s
+  bool friction = false;    // the program of friction
+  double floor = 0;         // with `friction`
 };
 
 struct ConeSolution {

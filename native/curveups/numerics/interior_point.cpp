@@ -42,7 +42,8 @@ struct InteriorPoint::Linearization {
   using Values = std::vector<std::vector<Residuals::Value>>;
 
   // memory: values of an earlier linearization, to be overwritten.
-  Linearization(int blocks, const Terms<9>& energies, const Constraints& constraints, Values memory)
+  Linearization(int blocks, const ResidualsList& energies, const ResidualsList& constraints,
+                Values memory)
       : values(std::move(memory)) {
     values.resize(constraints.size());
     std::vector<Coupling> couplings;
@@ -123,17 +124,18 @@ void InteriorPoint::take_new_constraints(const Vector& z, double mu) {
 
 // Linearises energies and constraints in parallel, each into a matrix of its own.
 void InteriorPoint::linearize(const Vector& z, Linearization& at) const {
-  parallel_tasks({[&] {
-                    at.matrix->set_zero();
-                    at.gradient.setZero();
-                    for (std::size_t e = 0; e < energies_.size(); ++e) {
-                      energies_[e]->derivatives(z, at.gradient, at.matrix.get(), at.first[e]);
-                    }
-                  },
-                  [&] {
-                    linearize_constraints(z, at);
-                    linearize_bounds(z, at);
-                  }});
+  parallel_for(2, [&](int part) {
+    if (part == 1) {
+      linearize_constraints(z, at);
+      linearize_bounds(z, at);
+      return;
+    }
+    at.matrix->set_zero();
+    at.gradient.setZero();
+    for (std::size_t e = 0; e < energies_.size(); ++e) {
+      energies_[e]->derivatives(z, at.gradient, at.matrix.get(), at.first[e]);
+    }
+  });
   at.matrix->add(*at.constraint_matrix);
   // Large multipliers make the dual part coarser.
   const double scale = std::max(1.0, at.products.sum / static_cast<double>(at.products.count));
@@ -214,10 +216,6 @@ bool InteriorPoint::solve_step(const Vector& z, double mu, Linearization& at, do
   step.decrease = (at.gradient.array() * step.z.array()).sum();
   step_slacks(mu, at, step);
   step_bounds(z, mu, step);
-  for (const auto& energy : energies_) {
-    step.primal_length =
-        std::min(step.primal_length, to_boundary * energy->largest_step(z, step.z));
-  }
   return true;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Minimises energy terms under inequality constraints: a primal-dual interior-point method with
+// Minimises energies under inequality constraints: a primal-dual interior-point method with
 // slacks, condensed onto the pattern of the terms.
 //
 // Least-squares solvers with bounds have no general inequality constraints, and Ipopt takes six to
@@ -39,9 +39,9 @@ struct Levels {
 class InteriorPoint {
  public:
   using Vector = Residuals::Vector;
-  using Constraints = std::vector<std::unique_ptr<Residuals>>;  // each with a row an element
 
-  InteriorPoint(Terms<9> energies, Constraints constraints, std::vector<Bound> bounds)
+  // constraints: each with a row an element.
+  InteriorPoint(ResidualsList energies, ResidualsList constraints, std::vector<Bound> bounds)
       : energies_(std::move(energies)),
         constraints_(std::move(constraints)),
         bounds_(std::move(bounds)) {}
@@ -80,8 +80,7 @@ class InteriorPoint {
   bool search(Vector& z, double mu, double penalty, double residual_sum, const Step& step,
               double& length);
 
-  Terms<9> energies_;
-  Constraints constraints_;
+  ResidualsList energies_, constraints_;
   std::vector<Bound> bounds_;
   Vectors slack_, multiplier_;
   Eigen::VectorXd lower_multiplier_, upper_multiplier_;  // per bound

@@ -150,7 +150,7 @@ LeastStepMethod::LeastStepMethod(const LeastStepProblem& problem)
 // Gradient of the objective without the elastic parts.
 VectorXd LeastStepMethod::gradient() const {
   VectorXd out = z_.matrix() - wanted_;
-  if (problem_.quadratic) out += problem_.quadratic->apply(z_.matrix()) + problem_.linear;
+  if (problem_.quadratic) out += problem_.quadratic(z_.matrix()) + problem_.linear;
   return out;
 }
 
@@ -214,7 +214,7 @@ VectorXd LeastStepMethod::solve(const VectorXd& right) const {
   double now = r.dot(y);
   const double goal = krylov_tolerance * krylov_tolerance * now;
   for (int k = 0; k < most_krylov_iterations && now > goal; ++k) {
-    const VectorXd along = multiply_rows(p) + problem_.quadratic->apply(p);
+    const VectorXd along = multiply_rows(p) + problem_.quadratic(p);
     const double length = now / p.dot(along);
     z += length * p;
     r -= length * along;

@@ -11,18 +11,12 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <functional>
 
 #include "curveups/core/types.hpp"
 #include "curveups/numerics/solve_report.hpp"
 
 namespace curveups {
-
-// Symmetric, positive semi-definite map Q.
-class QuadraticMap {
- public:
-  virtual ~QuadraticMap() = default;
-  virtual Eigen::VectorXd apply(const Eigen::VectorXd& z) const = 0;
-};
 
 using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
 
@@ -33,7 +27,8 @@ struct LeastStepProblem {
   Eigen::VectorXd dense_value;
   Eigen::VectorXd lower, upper;  // lower < upper, within which zero lies or on one of which
   Eigen::VectorXd wanted;        // empty for zero
-  const QuadraticMap* quadratic = nullptr;
+  // Q z, Q symmetric and positive semi-definite; empty for zero.
+  std::function<Eigen::VectorXd(const Eigen::VectorXd& z)> quadratic;
   Eigen::VectorXd linear;  // with `quadratic`
   static constexpr double sparse_penalty = 1e4, dense_penalty = 1e3;
 };

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Many small vector functions r_e, each of the nine unknowns of one tile or of two and of at most
-// eight rows: as a Term half the sum of their squares, with its Gauss-Newton matrix; as a
+// eight rows: as an energy half the sum of their squares, with its Gauss-Newton matrix; as a
 // constraint r_e(x) >= 0.
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <memory>
+#include <string_view>
+#include <vector>
 
 #include "curveups/core/parallel.hpp"
-#include "curveups/numerics/term.hpp"
+#include "curveups/numerics/block_matrix.hpp"
 
 namespace curveups {
 
-class Residuals : public Term<9> {
+class Residuals {
  public:
   static constexpr int width = 9, max_rows = 8;
   using Vector = BlockVector<width>;
@@ -23,6 +26,8 @@ class Residuals : public Term<9> {
     std::array<Eigen::Matrix<double, max_rows, width, Eigen::RowMajor>, 2> jacobian;  // per block
   };
 
+  virtual ~Residuals() = default;
+  virtual std::string_view name() const = 0;
   virtual int element_count() const = 0;
   // Number of rows of an element's value.
   virtual int dimension() const = 0;
@@ -43,10 +48,11 @@ class Residuals : public Term<9> {
     evaluate(element, own, derivatives, out);
   }
 
-  void couple(std::vector<Coupling>& couplings) const override {
+  // Appends the pairs of blocks that elements join. derivatives() fills their slots.
+  void couple(std::vector<Coupling>& couplings) const {
     for (int e = 0; e < element_count(); ++e) couplings.push_back(blocks(e));
   }
-  double value(const Vector& x) const override {
+  double value(const Vector& x) const {
     return 0.5 * parallel_sum(element_count(), [&](int e) {
              Value out;
              at(e, x, false, out);
@@ -54,8 +60,10 @@ class Residuals : public Term<9> {
            });
   }
 
+  // Adds to the gradient and, where it is not null, to the Gauss-Newton matrix. first: number of
+  // the first coupling in the matrix's pattern. Returns the value.
   double derivatives(const Vector& x, Vector& gradient, BlockMatrix<width>* hessian,
-                     int first) const override {
+                     int first) const {
     double sum = 0;
     const std::array<double, max_rows> ones = [] {
       std::array<double, max_rows> out;
@@ -87,7 +95,7 @@ class Residuals : public Term<9> {
     if (list[1] >= 0) sum += value.jacobian[1].row(row).dot(step.row(list[1]));
     return sum;
   }
-  // Adds J^T diag(weight) J of the first `rows` rows; first as in Term::derivatives.
+  // Adds J^T diag(weight) J of the first `rows` rows; first as in derivatives().
   void add_products(int element, const Value& value, int rows, const double* weight, int first,
                     BlockMatrix<width>& matrix) const {
     const Blocks list = blocks(element);
@@ -116,9 +124,10 @@ class Residuals : public Term<9> {
   }
 };
 
+using ResidualsList = std::vector<std::unique_ptr<Residuals>>;
+
 // Largest violation of constraints.
-inline double largest_violation(const std::vector<std::unique_ptr<Residuals>>& constraints,
-                                const Residuals::Vector& x) {
+inline double largest_violation(const ResidualsList& constraints, const Residuals::Vector& x) {
   double largest = 0;
   Residuals::Value value;
   for (const auto& constraint : constraints) {

@@ -53,22 +53,6 @@ struct SparseCholesky::Impl {
     cholmod_free_factor(&factor, &common);
     cholmod_finish(&common);
   }
-  void analyze(const SparseMatrix& lower) {
-    checkpoint();
-    cholmod_free_factor(&factor, &common);
-    cholmod_sparse a = view(lower);
-    factor = cholmod_analyze(&a, &common);
-    if (!factor) {
-      throw SolverFailure("the sparse solver could not order a system of " +
-                              std::to_string(lower.rows()) + " unknowns",
-                          "use a coarser mesh or a machine with more memory");
-    }
-  }
-  bool factorize(const SparseMatrix& lower) {
-    cholmod_sparse a = view(lower);
-    cholmod_factorize(&a, factor, &common);
-    return common.status == CHOLMOD_OK && factor->minor == factor->n;
-  }
   Eigen::MatrixXd solve(int system, const Eigen::MatrixXd& b) {
     checkpoint();
     cholmod_dense rhs{};
@@ -118,7 +102,17 @@ std::vector<int> elimination_order(const std::vector<std::vector<int>>& above) {
   return symbolic.order();
 }
 
-void SparseCholesky::analyze(const SparseMatrix& lower) { impl_->analyze(lower); }
+void SparseCholesky::analyze(const SparseMatrix& lower) {
+  checkpoint();
+  cholmod_free_factor(&impl_->factor, &impl_->common);
+  cholmod_sparse a = view(lower);
+  impl_->factor = cholmod_analyze(&a, &impl_->common);
+  if (!impl_->factor) {
+    throw SolverFailure("the sparse solver could not order a system of " +
+                            std::to_string(lower.rows()) + " unknowns",
+                        "use a coarser mesh or a machine with more memory");
+  }
+}
 
 std::vector<int> SparseCholesky::order() const {
   const int* first = static_cast<const int*>(impl_->factor->Perm);
@@ -131,14 +125,16 @@ bool SparseCholesky::factorize(const SparseMatrix& lower) {
   if (!Eigen::Map<const Eigen::ArrayXd>(lower.valuePtr(), lower.nonZeros()).isFinite().all()) {
     return false;
   }
-  impl_->common.status = CHOLMOD_OK;
-  const bool definite = impl_->factorize(lower);
-  if (impl_->common.status == CHOLMOD_OUT_OF_MEMORY || impl_->common.status == CHOLMOD_TOO_LARGE) {
+  int& status = impl_->common.status;
+  status = CHOLMOD_OK;
+  cholmod_sparse a = view(lower);
+  cholmod_factorize(&a, impl_->factor, &impl_->common);
+  if (status == CHOLMOD_OUT_OF_MEMORY || status == CHOLMOD_TOO_LARGE) {
     throw SolverFailure(
         "the sparse solver ran out of memory at " + std::to_string(lower.rows()) + " unknowns",
         "use a coarser mesh or a machine with more memory");
   }
-  return definite;
+  return status == CHOLMOD_OK && impl_->factor->minor == impl_->factor->n;
 }
 
 Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& b) const {

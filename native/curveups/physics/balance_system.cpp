@@ -171,4 +171,9 @@ WrenchBalance wrench_balance(const Wrenches& wrenches, const Points3& centres, d
   return {force.cwiseAbs().maxCoeff() / mean, torque.cwiseAbs().maxCoeff() / (lever * mean)};
 }
 
+SolverFailure no_balance() {
+  return SolverFailure("the tiles' balance could not be solved",
+                       "check contact points and forces for numbers that are not finite");
+}
+
 }  // namespace curveups

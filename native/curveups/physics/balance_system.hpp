@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "curveups/core/errors.hpp"
 #include "curveups/design/tile_mesh.hpp"
 #include "curveups/numerics/block_matrix.hpp"
 #include "curveups/numerics/cone_program.hpp"
@@ -88,5 +89,8 @@ struct WrenchBalance {
   double force, torque;
 };
 WrenchBalance wrench_balance(const Wrenches& wrenches, const Points3& centres, double lever);
+
+// Error for a system that can't be factorized.
+SolverFailure no_balance();
 
 }  // namespace curveups

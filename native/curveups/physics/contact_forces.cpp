@@ -26,8 +26,7 @@ ContactForces solve_contact_forces(BalanceSystem& system, const Wrenches& loads)
   ContactForces out;
   Eigen::VectorXd f = Eigen::VectorXd::Zero(3 * count);
   if (!system.factorize(std::vector<Eigen::Matrix3d>(count, Eigen::Matrix3d::Identity()))) {
-    throw SolverFailure("the tiles' balance could not be solved",
-                        "check contact points and forces for numbers that are not finite");
+    throw no_balance();
   }
   // The second and third round remove rounding (and what the shift of a singular system left).
   const Eigen::VectorXd b = system.restrict(loads);

@@ -13,7 +13,7 @@ DesignForces::DesignForces(const DesignGeometry& geometry, const Parameters& par
                            const Array6& q)
     : parameters_(parameters), poses_(poses), q_(q), membranes_(std::move(solved)) {
   take_geometry(geometry);
-  parallel_each(2, [&](int s) {
+  parallel_for(2, [&](int s) {
     const Side side = static_cast<Side>(s);
     equilibria_[s] = std::make_unique<MembraneEquilibrium>(
         membrane_equilibrium(membranes_[s], parameters, side));
@@ -42,7 +42,7 @@ void DesignForces::move(const DesignGeometry& geometry, const FlatPoses& poses, 
     if (!m.state.solve.stopped() && !equilibrium.factorize(m.state.x)) throw no_equilibrium(side);
   };
   // The progress sink is called from one thread only; the other membrane ends by itself.
-  parallel_tasks({[&] { solve(Side::front, progress); }, [&] { solve(Side::back, {}); }});
+  parallel_for(2, [&](int s) { solve(static_cast<Side>(s), s == 0 ? progress : Progress()); });
   if (membrane(Side::front).state.solve.stopped()) throw Cancelled();
   solve_contacts();
 }

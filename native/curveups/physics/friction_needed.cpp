@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "curveups/core/sort_unique.hpp"
 #include "curveups/numerics/cone_program.hpp"
 #include "curveups/physics/verdict.hpp"
 
@@ -23,8 +24,7 @@ std::vector<int> tiles_at(const std::vector<ContactPoint>& points, const Eigen::
     if (weight(order[k]) < least) break;
     for (int tile : points[order[k]].tile) tiles.push_back(tile);
   }
-  std::sort(tiles.begin(), tiles.end());
-  tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
+  sort_unique(tiles);
   return tiles;
 }
 
@@ -43,7 +43,7 @@ FrictionNeeded find_friction_needed(const SolvedDesign& solved, const DesignGeom
   ConeOptions options;
   options.floor = solved.f_min() / scale;
   double mu = solved.design.parameters.friction_coefficient;
-  options.weight = Eigen::VectorXd::Ones(count);
+  options.friction = true;
   for (int k = 0; k < most_programs && mu > 0; ++k) {
     options.friction_coefficient = mu;
     const ConeSolution solution = solve_cone_program(system, b, force, options, progress);

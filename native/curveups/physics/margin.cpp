@@ -41,16 +41,15 @@ Margin find_margin(const SolvedDesign& solved, const DesignGeometry& geometry,
   options.friction_coefficient = std::min(p.margin_friction, p.friction_coefficient);
   options.scale = force_scale(solved);
   const Progress serial = one_at_a_time(progress);
-  parallel_each(2, [&](int s) {
+  parallel_for(2, [&](int s) {
     BalanceSystem system = make_balance_system(geometry, p);
     const Wrenches loads =
         solved.loads + out.mismatch / 100 * extrapolated_wrenches(solved.membranes[s], centres);
     const Points3 start = solve_contact_forces(system, loads).force;
     const UnilateralResult result = solve_unilateral(system, loads, start, options, serial);
-    out.largest_floor[s] = result.largest_floor;
     out.failure[s] = failure_of(result, system, f_min, options.scale);
     if (out.failure[s]) {
-      out.failure[s]->figures["side"] = s == 0 ? "front" : "back";
+      out.failure[s]->figures["side"] = side_name(static_cast<Side>(s));
       out.failure[s]->figures["percent"] = out.mismatch;
       out.failure[s]->figures["mu"] = options.friction_coefficient;
     }

@@ -19,7 +19,6 @@ struct Margin {
   // True where pushing forces of f_min within friction exist at both corners; without a value with
   // margin=off or where neither could be shown.
   std::optional<bool> met;
-  std::array<double, 2> largest_floor{};  // N, as UnilateralResult has it
   // Failures with the front pulling harder, and with the back.
   std::array<std::optional<Finding>, 2> failure;
 };

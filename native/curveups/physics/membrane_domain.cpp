@@ -43,9 +43,9 @@ Points2 flat_pin_corners(const TileMesh& tiles, const FlatPoses& poses, const Ar
     if (!(pin_area(tiles, i, side, q.row(i).data()) > 0)) bad.push_back(i);
   }
   if (!bad.empty()) {
-    throw InfeasibleDesign("the " + std::string(side == Side::front ? "front" : "back") +
-                               " pins of " + tile_names(bad) + " have no area",
-                           "lower their insets", bad);
+    throw InfeasibleDesign(
+        "the " + std::string(side_name(side)) + " pins of " + tile_names(bad) + " have no area",
+        "lower their insets", bad);
   }
   Points2 out(3 * tiles.tile_count(), 2);
   for (int i = 0; i < tiles.tile_count(); ++i) {

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "curveups/numerics/term.hpp"
+#include "curveups/numerics/block_matrix.hpp"
 #include "curveups/physics/density.hpp"
 #include "curveups/physics/membrane_mesh.hpp"
 
@@ -26,25 +26,25 @@ struct TriangleStretch {
 
 // Energy of a membrane, N mm: a block per mesh vertex, unknown where no pin holds it; an element
 // per triangle, with its exact Hessian.
-class MembraneEnergy : public Term<3> {
+class MembraneEnergy {
  public:
   // flat: per mesh vertex. Throws what set_rest throws.
   MembraneEnergy(const MembraneMesh& mesh, const Points2& flat, double tau,
                  const MembraneMaterial& material);
 
-  std::string_view name() const override { return "membrane"; }
   // Pattern of the Hessian.
   const std::shared_ptr<const BlockPattern>& pattern() const { return pattern_; }
   bool is_free(int vertex) const { return pattern_->rank(vertex) >= 0; }
   int free_count() const { return pattern_->free_count(); }
 
-  void couple(std::vector<Coupling>& couplings) const override;
+  // Appends the pairs of vertices that triangles join. derivatives() fills their slots.
+  void couple(std::vector<Coupling>& couplings) const;
   // Infinite where a triangle of the plain density has no area.
-  double value(const Points3& x) const override;
-  // The gradient has a row for every mesh vertex, glued ones too, where it is minus the pull on the
-  // pin.
-  double derivatives(const Points3& x, Points3& gradient, BlockMatrix<3>* hessian,
-                     int first) const override;
+  double value(const Points3& x) const;
+  // Adds to the gradient and, unless null, to the Hessian, whose pattern has the first coupling as
+  // number `first`. The gradient has a row for every mesh vertex, glued ones too, where it is minus
+  // the pull on the pin. Returns the value.
+  double derivatives(const Points3& x, Points3& gradient, BlockMatrix<3>* hessian, int first) const;
   // Set the gradient and, unless null, the Hessian (of this pattern).
   double gradient(const Points3& x, Points3& gradient, BlockMatrix<3>* hessian = nullptr) const;
 

@@ -118,7 +118,7 @@ std::vector<Vec2> outline(const MembranePatch& patch, const Points2& flat) {
 }
 
 void check_patches(const MembraneDomain& domain, const Points2& flat) {
-  const std::string side = domain.side == Side::front ? "front" : "back";
+  const std::string side = side_name(domain.side);
   for (const MembranePatch& patch : domain.patches) {
     if (is_simple_polygon(outline(patch, flat))) continue;
     const std::vector<int> tiles = tiles_of(patch);

@@ -19,13 +19,12 @@ Wrenches membrane_wrenches(const MembraneMesh& mesh, const MembraneState& state,
 }
 
 Wrenches extrapolated_wrenches(const MembraneSolution& m, const Points3& centres) {
-  return extrapolate<Wrenches>(membrane_wrenches(m.fine.mesh, m.fine.state, centres),
-                               membrane_wrenches(m.coarse.mesh, m.coarse.state, centres));
+  return extrapolate(membrane_wrenches(m.fine.mesh, m.fine.state, centres),
+                     membrane_wrenches(m.coarse.mesh, m.coarse.state, centres));
 }
 
 SolverFailure no_equilibrium(Side side) {
-  return SolverFailure(std::string("the ") + (side == Side::front ? "front" : "back") +
-                           " membrane found no equilibrium",
+  return SolverFailure(std::string("the ") + side_name(side) + " membrane found no equilibrium",
                        "use the tension-field model");
 }
 
@@ -52,7 +51,7 @@ namespace {
 MembraneSolution solve_membrane(const DesignGeometry& geometry, const FlatPoses& poses,
                                 const Array6& q, const Parameters& parameters, Side side,
                                 const Progress& progress) {
-  const std::string what = side == Side::front ? "front membrane" : "back membrane";
+  const std::string what = std::string(side_name(side)) + " membrane";
   MembraneSolution out;
   out.domain = make_membrane_domain(geometry.tiles, side);
   SolvedMembrane &coarse = out.coarse, &fine = out.fine;
@@ -82,7 +81,7 @@ std::array<MembraneSolution, 2> solve_membranes(const DesignGeometry& geometry,
                                                 const Progress& progress) {
   const Progress serial = one_at_a_time(progress);
   std::array<MembraneSolution, 2> out;
-  parallel_each(2, [&](int s) {
+  parallel_for(2, [&](int s) {
     out[s] = solve_membrane(geometry, poses, q, parameters, static_cast<Side>(s), serial);
   });
   return out;

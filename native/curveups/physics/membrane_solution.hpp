@@ -16,8 +16,7 @@ namespace curveups {
 // Pin corners are singularities (an angle of about 300 degrees with held sides): forces converge as
 // h whatever the grading. Fine and coarse mesh have elements of sizes h and 2 h, so that the linear
 // extrapolation 2 f(h) - f(2 h) removes the leading error; it balances exactly, as both do.
-template <class Forces>
-Forces extrapolate(const Forces& fine, const Forces& coarse) {
+inline Wrenches extrapolate(const Wrenches& fine, const Wrenches& coarse) {
   return 2 * fine - coarse;
 }
 

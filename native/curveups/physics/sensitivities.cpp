@@ -214,7 +214,7 @@ std::vector<ForceGradient> gradients_of(const DesignForces& forces,
     const std::vector<Array6> some(motions.begin() + first,
                                    motions.begin() + std::min(count, first + batch));
     std::array<std::vector<CornerGradient>, 2> corners;
-    parallel_each(2, [&](int s) {
+    parallel_for(2, [&](int s) {
       const Side side = static_cast<Side>(s);
       corners[s] = corner_gradients(forces.membrane(side), forces.equilibrium(side),
                                     system.centres(), system.lever(), some);

@@ -2,11 +2,9 @@
 #include "curveups/physics/unilateral.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <vector>
 
-#include "curveups/core/errors.hpp"
 #include "curveups/numerics/cone_program.hpp"
 
 namespace curveups {
@@ -56,11 +54,6 @@ std::vector<std::array<int, 2>> critical_contacts(const UnilateralResult& result
 UnilateralResult solve_unilateral(BalanceSystem& system, const Wrenches& loads,
                                   const Points3& start, const UnilateralOptions& options,
                                   const Progress& progress) {
-  if (!(options.friction_coefficient > 0) || !std::isfinite(options.friction_coefficient) ||
-      !(options.scale > 0) || !std::isfinite(options.scale)) {
-    throw InvalidInput("friction coefficient and force scale must be positive",
-                       "give positive numbers");
-  }
   UnilateralResult result;
   const int count = system.point_count();
   const double mu = options.friction_coefficient;

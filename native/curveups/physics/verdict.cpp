@@ -66,8 +66,6 @@ void judge_unilateral(const VerdictInput& in, VerificationReport& report) {
   report.reasons.push_back(std::move(reason));
 }
 
-const char* name_of(Side side) { return side == Side::front ? "front" : "back"; }
-
 // Warnings where sheets or glue exceed their makers' limits. The verdict does not depend on them.
 void judge_materials(const Parameters& parameters, VerificationReport& report) {
   const double elongation = 100 * (report.physics.stretch_99 - 1);
@@ -81,7 +79,7 @@ void judge_materials(const Parameters& parameters, VerificationReport& report) {
   if (glue.overloaded.empty()) return;
   report.warnings.push_back({"glue_shear",
                              glue.overloaded,
-                             {{"side", name_of(glue.shear.side)},
+                             {{"side", side_name(glue.shear.side)},
                               {"tile", std::vector<int>{glue.shear.tile}},
                               {"shear", glue.shear.shear},
                               {"limit", glue.limit},
@@ -104,14 +102,14 @@ void judge_membranes(const VerdictInput& in, VerificationReport& report) {
     } else if (c.distance < safe_clearance) {
       report.warnings.push_back({"membrane.touches",
                                  {c.tile},
-                                 {{"side", name_of(side)},
+                                 {{"side", side_name(side)},
                                   {"tile", std::vector<int>{c.tile}},
                                   {"clearance", c.distance}}});
     }
     const std::vector<int> slack = tiles_beside_slack(in.solved.membranes[s]);
     if (!slack.empty()) {
       report.warnings.push_back(
-          {"membrane.slack", slack, {{"side", name_of(side)}, {"beside", slack}}});
+          {"membrane.slack", slack, {{"side", side_name(side)}, {"beside", slack}}});
     }
   }
 }
@@ -121,7 +119,7 @@ void judge_membranes(const VerdictInput& in, VerificationReport& report) {
 Finding cut_by_membrane(Side side, int tile, double depth) {
   return {"membrane.cuts",
           {tile},
-          {{"side", name_of(side)}, {"tile", std::vector<int>{tile}}, {"depth", depth}}};
+          {{"side", side_name(side)}, {"tile", std::vector<int>{tile}}, {"depth", depth}}};
 }
 
 void give_verdict(const VerdictInput& input, VerificationReport& report) {

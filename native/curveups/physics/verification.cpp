@@ -8,6 +8,7 @@
 #include "curveups/bodies/bumps.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
+#include "curveups/core/sort_unique.hpp"
 #include "curveups/design/flat_rim.hpp"
 #include "curveups/physics/verdict.hpp"
 
@@ -122,8 +123,7 @@ std::vector<std::array<int, 2>> crossing_sheets(const TileMesh& tiles, const Des
     const auto pairs = crossing_rims(tiles, flat_pin_corners(tiles, poses, design.q, side));
     out.insert(out.end(), pairs.begin(), pairs.end());
   }
-  std::sort(out.begin(), out.end());
-  out.erase(std::unique(out.begin(), out.end()), out.end());
+  sort_unique(out);
   return out;
 }
 
@@ -170,7 +170,6 @@ VerificationReport verify_solved(const DesignGeometry& geometry, const SolvedHan
   VerificationReport report;
   report.computed = true;
   report.solved = handle;
-  report.elastic = solved.elastic;
   report.glue = glue_figures(tiles, design.q, solved.membranes, parameters);
   describe_membranes(solved, tile_centres(tiles), parameters.L, report);
   BalanceSystem system = make_balance_system(geometry, parameters);
@@ -186,18 +185,20 @@ VerificationReport verify_solved(const DesignGeometry& geometry, const SolvedHan
   std::array<MembraneClearance, 2> clearance;
   UnilateralFigures& unilateral = report.unilateral;
   const Progress serial = one_at_a_time(progress);
-  auto find_clearance = [&](int s) {
-    clearance[s] = least_clearance(
-        patch_clearances(geometry, solved.membranes[s], parameters.H_pin), parameters.H_pin);
-  };
   UnilateralResult at_corners;
-  parallel_tasks({[&] { at_corners = find_floor(solved, system, serial); },
-                  [&] {
-                    if (!any_tips) return;
-                    unilateral.feasible_at_tips =
-                        is_feasible_at_tips(solved, geometry, tips, serial);
-                  },
-                  [&] { find_clearance(0); }, [&] { find_clearance(1); }});
+  parallel_for(4, [&](int task) {
+    if (task == 0) {
+      at_corners = find_floor(solved, system, serial);
+    } else if (task == 1) {
+      if (any_tips) {
+        unilateral.feasible_at_tips = is_feasible_at_tips(solved, geometry, tips, serial);
+      }
+    } else {
+      const int s = task - 2;
+      clearance[s] = least_clearance(
+          patch_clearances(geometry, solved.membranes[s], parameters.H_pin), parameters.H_pin);
+    }
+  });
   report.physics.clearance_mm = std::min(clearance[0].distance, clearance[1].distance);
   unilateral.friction_coefficient = parameters.friction_coefficient;
   unilateral.floor = solved.f_min();

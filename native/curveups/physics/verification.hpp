@@ -76,7 +76,6 @@ struct VerificationReport {
   Edges contact_tiles;  // per contact
   Eigen::VectorXd contact_normal_min, contact_normal_mean, contact_friction_ratio;
   Eigen::VectorXd tile_normal_min;  // least of each tile's points; NaN without contacts
-  Wrenches elastic;                 // M x 6, of the membranes
   SolvedHandle solved;              // membranes and forces behind the figures
   std::array<MembranePicture, 2> membrane;
 };

@@ -124,7 +124,7 @@ DesignGeometry ClearanceProgram::geometry(const TriangleMesh& mesh) const {
   DesignGeometry here;
   here.tiles = make_tile_mesh(mesh, cuts_, parameters_.H_body);
   here.shaped = tiles_without_back(here.tiles).empty();
-  if (here.shaped) return make_geometry(mesh, cuts_, parameters_);
+  if (here.shaped) return make_geometry(std::move(here.tiles), parameters_);
   here.truncation.of_tile.resize(here.tiles.tile_count());
   here.truncation.front_pins.resize(here.tiles.tile_count());
   here.pin_bounds = compute_pin_bounds(here.tiles, here.truncation, parameters_);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "curveups/bodies/bumps.hpp"
+#include "curveups/core/sort_unique.hpp"
 #include "curveups/physics/verification.hpp"
 #include "curveups/refinement/force_rows.hpp"
 
@@ -16,17 +17,12 @@ constexpr double floor_of_mean = 0.15;  // over the mean normal force; f_min is 
 constexpr int most_rounds = 12;         // of the active set
 
 // Tiles that share a vertex with each, itself among them; ascending.
-std::vector<std::vector<int>> tiles_around(const Triangles& F, Eigen::Index vertices) {
-  std::vector<std::vector<int>> at(vertices), out(F.rows());
-  for (int i = 0; i < F.rows(); ++i) {
-    for (int t = 0; t < 3; ++t) at[F(i, t)].push_back(i);
-  }
-  for (int i = 0; i < F.rows(); ++i) {
-    for (int t = 0; t < 3; ++t) {
-      out[i].insert(out[i].end(), at[F(i, t)].begin(), at[F(i, t)].end());
-    }
-    std::sort(out[i].begin(), out[i].end());
-    out[i].erase(std::unique(out[i].begin(), out[i].end()), out[i].end());
+std::vector<std::vector<int>> tiles_around(const TileMesh& tiles) {
+  const std::vector<std::vector<int>> at = tiles_at_vertices(tiles);
+  std::vector<std::vector<int>> out(tiles.tile_count());
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    for (int v : tiles.mesh.F.row(i)) out[i].insert(out[i].end(), at[v].begin(), at[v].end());
+    sort_unique(out[i]);
   }
   return out;
 }
@@ -76,7 +72,7 @@ void FrictionObjective::find_forces(const Wrenches& loads) {
       inverse[p] = Vec3(1 / weight, 1, 1).asDiagonal();
       if (active[p]) wanted(3 * p) = floor / weight;
     }
-    system_.factorize(inverse);
+    if (!system_.factorize(inverse)) throw no_balance();
     right_ = b + system_.apply(wanted);
     const Eigen::VectorXd pull = system_.apply_transposed(system_.solve(right_));
     force_.resize(count, 3);
@@ -110,9 +106,8 @@ StepObjective FrictionObjective::linearise(const Iterate& place, const DesignFor
 // A tile's wrench depends on the tiles around it, as pins fix the membrane between others. One
 // back-solve a component of the wrench therefore serves all tiles of a colour.
 SparseRows FrictionObjective::jacobian(const Iterate& place, const DesignForces& forces) const {
-  const TriangleMesh& mesh = place.geometry().tiles.mesh;
-  const int count = static_cast<int>(mesh.F.rows());
-  const std::vector<std::vector<int>> around = tiles_around(mesh.F, mesh.V.rows());
+  const int count = place.geometry().tiles.tile_count();
+  const std::vector<std::vector<int>> around = tiles_around(place.geometry().tiles);
   std::vector<Eigen::Triplet<double>> entries;
   for (const std::vector<int>& tiles : coloured(around)) {
     std::vector<Array6> motions(6, Array6::Zero(count, 6));

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "curveups/core/tolerances.hpp"
 
@@ -45,23 +44,6 @@ std::vector<int> tiles_that_matter(const LayoutModel& model, const std::vector<F
 
 namespace {
 
-// The objective in the units of a step.
-class ScaledObjective : public QuadraticMap {
- public:
-  ScaledObjective(const StepObjective& objective, const Eigen::VectorXd& scale)
-      : objective_(objective), J_(objective.jacobian * scale.asDiagonal()), J_T_(J_.transpose()) {}
-  Eigen::VectorXd apply(const Eigen::VectorXd& z) const override { return by_rows(J_ * z); }
-  Eigen::VectorXd linear() const { return by_rows(objective_.value); }
-
- private:
-  Eigen::VectorXd by_rows(const Eigen::VectorXd& r) const {
-    return objective_.weight * (J_T_ * objective_.solve(r));
-  }
-
-  const StepObjective& objective_;
-  SparseRows J_, J_T_;
-};
-
 // Least-step problem of some tiles, nine unknowns each in mm, and of vertices behind them.
 class StepProblem {
  public:
@@ -89,12 +71,7 @@ class StepProblem {
     add_bounds();
     if (vertices) add_vertex_bounds();
     add_forces();
-    if (!objective) return;
-    Eigen::VectorXd scale(count_);
-    for (int k = 0; k < count_; ++k) scale(k) = scale_(k % per_tile);
-    objective_ = std::make_unique<ScaledObjective>(*objective, scale);
-    problem_.quadratic = objective_.get();
-    problem_.linear = objective_->linear();
+    if (objective) add_objective(*objective);
   }
 
   LayoutStep solve() const;
@@ -107,6 +84,7 @@ class StepProblem {
   void add_bounds();
   void add_vertex_bounds();
   void add_forces();
+  void add_objective(const StepObjective& objective);
 
   const LayoutModel& model_;
   const LayoutState& state_;
@@ -119,7 +97,6 @@ class StepProblem {
   Eigen::Matrix<double, 1, per_tile> scale_;  // unknowns per unit of the step
   Eigen::VectorXd vertex_scale_;
   LeastStepProblem problem_;
-  std::unique_ptr<ScaledObjective> objective_;
   std::vector<double> values_;  // per sparse row
 };
 
@@ -214,6 +191,18 @@ void StepProblem::add_forces() {
       column.segment<3>(own_ + 3 * v) = forces_[r].by_vertex.row(v).transpose() * vertex_scale_(v);
     }
   }
+}
+
+// Adds the objective in the units of a step.
+void StepProblem::add_objective(const StepObjective& objective) {
+  Eigen::VectorXd scale(count_);
+  for (int k = 0; k < count_; ++k) scale(k) = scale_(k % per_tile);
+  const SparseRows J = objective.jacobian * scale.asDiagonal();
+  const auto by_rows = [&objective, J_T = SparseRows(J.transpose())](const Eigen::VectorXd& r) {
+    return Eigen::VectorXd(objective.weight * (J_T * objective.solve(r)));
+  };
+  problem_.quadratic = [by_rows, J](const Eigen::VectorXd& z) { return by_rows(J * z); };
+  problem_.linear = by_rows(objective.value);
 }
 
 LayoutStep StepProblem::solve() const {

@@ -9,6 +9,7 @@
 
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
+#include "curveups/core/sort_unique.hpp"
 #include "curveups/core/tolerances.hpp"
 #include "curveups/refinement/force_rows.hpp"
 #include "curveups/refinement/friction_objective.hpp"
@@ -249,8 +250,7 @@ bool Repair::take_step(RepairResult& result, Judgement& now, bool with_vertices)
   for (const VertexPatch& patch : chosen.patches) {
     for (int k : patch.changed) tiles.push_back(patch.tiles[k]);
   }
-  std::sort(tiles.begin(), tiles.end());
-  tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
+  sort_unique(tiles);
   for (; trust_radius_ > 1e-3; trust_radius_ *= 0.5) {
     const LayoutStep step =
         least_layout_step(from.model(), from.state, rows, tiles, moving, step_weights());

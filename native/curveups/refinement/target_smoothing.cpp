@@ -129,9 +129,6 @@ SmoothedTarget smooth_target(const TriangleMesh& mesh, const Edges& cuts, const 
   if (!(largest_move >= 0) || !std::isfinite(largest_move)) {
     throw InvalidInput("the surface can't be moved by that much", "give mend_max in mm");
   }
-  if (kept.size() > 0 && (kept.minCoeff() < 0 || kept.maxCoeff() >= mesh.V.rows())) {
-    throw InvalidInput("a kept edge names a vertex that there is not", "give pairs of vertices");
-  }
   const ClearanceProgram program(mesh, cuts, parameters, true);
   const DesignGeometry here = program.geometry(mesh);
   const std::vector<SmallPin> lacking = program.lacking(here);
@@ -148,10 +145,8 @@ SmoothedTarget smooth_target(const TriangleMesh& mesh, const Edges& cuts, const 
 
   std::vector<char> kept_only(mesh.V.rows(), 0);
   for (Eigen::Index k = 0; k < kept.size(); ++k) kept_only[kept.data()[k]] = 1;
-  std::vector<char> fixed = kept_only;
-  for (const MeshEdge& edge : here.tiles.topology.edges) {
-    if (edge.boundary()) fixed[edge.v[0]] = fixed[edge.v[1]] = 1;
-  }
+  std::vector<char> fixed = boundary_vertices(here.tiles.topology, mesh.V.rows());
+  for (Eigen::Index v = 0; v < mesh.V.rows(); ++v) fixed[v] |= kept_only[v];
   smoothing.improve(fixed);
   if (!out.remaining.empty()) smoothing.improve(kept_only);
   for (int v = 0; v < mesh.V.rows(); ++v) out.move[v] = (out.mesh.V.row(v) - mesh.V.row(v)).norm();

@@ -26,8 +26,7 @@ struct SmoothedTarget {
 // No vertex moves farther than `largest_move` (mm); those of `kept` (vertex pairs) and those far
 // from tiles without room stay. Those of the boundary stay, too, unless tiles then remain without
 // room. Faired again, the result stays as it is unless sides remain. Throws what make_tile_mesh
-// throws, InvalidInput (a kept edge names no vertex, largest_move negative or not finite),
-// Cancelled.
+// throws, InvalidInput (largest_move negative or not finite), Cancelled.
 SmoothedTarget smooth_target(const TriangleMesh& mesh, const Edges& cuts, const Edges& kept,
                              double largest_move, const Parameters& parameters,
                              const Progress& progress);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "curveups/core/parallel.hpp"
+#include "curveups/core/sort_unique.hpp"
 
 namespace curveups {
 
@@ -31,8 +32,7 @@ std::vector<VertexEntry> rows_by_vertex(const LayoutModel& model, const LayoutSt
         const std::vector<int>& own = rows_of[patch.tiles[k]];
         touched.insert(touched.end(), own.begin(), own.end());
       }
-      std::sort(touched.begin(), touched.end());
-      touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+      sort_unique(touched);
       if (touched.empty()) continue;
       const Eigen::MatrixXd by_vertex =
           derivatives_by_vertex(patch, [&](const LocalGeometry& local) {

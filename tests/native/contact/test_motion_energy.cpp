@@ -163,7 +163,7 @@ TEST(MotionEnergy, MembranesHaveExactDerivativesAndBalance) {
         design.parameters.tau, material, tiles.tile_count());
     Poses poses(tiles.tile_count());
     for (int i = 0; i < tiles.tile_count(); ++i) poses[i].t = centres.row(i).transpose();
-    const Poses nodes = membrane_nodes(tiles, side, corners);
+    const Poses nodes = membrane_nodes(domain, corners);
     ASSERT_GT(nodes.size(), 0u);
     poses.insert(poses.end(), nodes.begin(), nodes.end());
     const Motions away = 0.1 * Motions::Random(poses.size(), 6);

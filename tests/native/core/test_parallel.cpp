@@ -156,7 +156,7 @@ TEST(Parallel, AsManyThreadsWorkAsAreAskedFor) {
     while (arrived < 4 && std::chrono::steady_clock::now() < end) std::this_thread::yield();
     EXPECT_EQ(arrived, 4);
   };
-  parallel_tasks({meet, meet, meet, meet});
+  parallel_for(4, [&](int) { meet(); });
   set_thread_count(before);
 }
 

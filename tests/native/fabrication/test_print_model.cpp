@@ -44,9 +44,9 @@ TEST_P(Shapes, AreSoundWithEveryKindOfBumpAndSupport) {
       EXPECT_TRUE(model.loose_tiles.empty());
       EXPECT_EQ(model.loose_anchors, 0);
       EXPECT_GE(model.anchors.size(), 8u);
-      EXPECT_NEAR(model.box.low.z(), 0, 1e-12);
-      EXPECT_NEAR(model.box.high.z(), 2 * p.H_pin + p.H_body, 1e-12);
-      EXPECT_NEAR((model.box.low + model.box.high).head<2>().norm(), 0, 1e-9);
+      EXPECT_NEAR(model.box.min().z(), 0, 1e-12);
+      EXPECT_NEAR(model.box.max().z(), 2 * p.H_pin + p.H_body, 1e-12);
+      EXPECT_NEAR((model.box.min() + model.box.max()).head<2>().norm(), 0, 1e-9);
     }
   }
 }
@@ -191,7 +191,7 @@ TEST(Bridges, KeepTheLayoutsGapFromThirdTiles) {
       tiles.push_back(moved(model.bumps.body[i], model.flat[i]));
     }
     for (const PrintBody& bridge : model.supports) {
-      const Box box = bounding_box(bridge);
+      const Eigen::AlignedBox3d box = bounding_box(bridge);
       const std::size_t n = bridge.points.size() / 2;  // on either of its upright sides
       std::vector<Vec2> outline;
       for (std::size_t k : {std::size_t{0}, n - 3, 2 * n - 3, n}) {
@@ -202,7 +202,7 @@ TEST(Bridges, KeepTheLayoutsGapFromThirdTiles) {
         double gap = 1e300;
         for (int k : {0, 2}) {
           const std::array<Vec2, 3> half = {outline[k], outline[k + 1], outline[(k + 2) % 4]};
-          gap = std::min(gap, distance(make_prism(half, box.low.z(), box.high.z()), tile));
+          gap = std::min(gap, distance(make_prism(half, box.min().z(), box.max().z()), tile));
         }
         if (gap > 1e-9) gaps.push_back(gap);
       }
@@ -351,7 +351,7 @@ TEST(PrintModelOf, SomeTilesAreTheseAtTheirPlaces) {
   EXPECT_EQ(some.tiles[0].name, "T00003");
   EXPECT_EQ(some.tiles[1].points, all.tiles[7].points);
   EXPECT_NEAR(some.volume("print"), volume(all.tiles[2]) + volume(all.tiles[7]), 1e-9);
-  EXPECT_LT((some.box.high - some.box.low).norm(), (all.box.high - all.box.low).norm());
+  EXPECT_LT((some.box.max() - some.box.min()).norm(), (all.box.max() - all.box.min()).norm());
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ TEST(BuiltinTargets, AllAreSoundSurfacesOfTheSizeOfAHand) {
     if (area.count(target.name) != 0) {
       EXPECT_NEAR(cm2, area.at(target.name), 3);
     }
-    const auto loops = boundary_loops(build_topology(mesh.F, mesh.V.rows()));
+    const auto loops = boundary_loops(build_topology(mesh.F));
     EXPECT_EQ(loops.size(), target.name == "mask" ? 3u : 1u);
     EXPECT_GT(conformal_scale(mesh, conformal_map(mesh)).minCoeff(), 0);
   }
@@ -33,7 +33,7 @@ TEST(BuiltinTargets, AllAreSoundSurfacesOfTheSizeOfAHand) {
 
 TEST(BuiltinTargets, HalfSphereIsExact) {
   const TriangleMesh mesh = builtin_target("half-sphere");
-  const MeshTopology topology = build_topology(mesh.F, mesh.V.rows());
+  const MeshTopology topology = build_topology(mesh.F);
   for (int v = 0; v < mesh.V.rows(); ++v) EXPECT_NEAR(mesh.V.row(v).norm(), 48, 1e-9);
   for (const MeshEdge& edge : topology.edges) {
     if (edge.boundary()) {

@@ -28,7 +28,7 @@ struct Opened {
 
 // Mesh after its opening cuts; every cut must be an interior edge of it.
 Opened opened(const TriangleMesh& mesh, const Edges& given = Edges(0, 2)) {
-  const MeshTopology topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
+  const MeshTopology topology = build_topology(mesh.F);
   const std::vector<char> before = flags(topology, given);
   const Edges cuts = opening_cuts(mesh, topology, before);
   std::vector<char> cut = flags(topology, cuts);
@@ -40,7 +40,7 @@ Opened opened(const TriangleMesh& mesh, const Edges& given = Edges(0, 2)) {
     cut[e] = cut[e] || before[e];
   }
   for (const MeshPiece& piece : cut_into_pieces(mesh, topology, cut)) {
-    const MeshTopology own = build_topology(piece.mesh.F, static_cast<int>(piece.mesh.V.rows()));
+    const MeshTopology own = build_topology(piece.mesh.F);
     const int loops = static_cast<int>(boundary_loops(own).size());
     ++out.pieces;
     out.loops += loops;
@@ -99,7 +99,7 @@ TEST(OpeningCuts, AClosedSphereGetsASlitFromEndToEnd) {
   EXPECT_EQ(disc.pieces, 1);
   EXPECT_EQ(disc.loops, 1);
   EXPECT_EQ(disc.handles, 0);
-  const MeshTopology topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
+  const MeshTopology topology = build_topology(mesh.F);
   const Edges cuts = opening_cuts(mesh, topology, {});
   double length = 0;
   for (int e = 0; e < cuts.rows(); ++e) {

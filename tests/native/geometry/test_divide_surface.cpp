@@ -24,7 +24,7 @@ struct Divided {
 // Divides and checks what holds of any division: pieces are numbered by their lowest faces and are
 // the components under all cuts, borders part two pieces and slits none, each piece can lie flat.
 Divided divide(const TriangleMesh& mesh, int count, const Edges& given = Edges(0, 2)) {
-  const MeshTopology topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
+  const MeshTopology topology = build_topology(mesh.F);
   const std::vector<char> cut = mark_cuts(topology, given);
   Divided out{divide_surface(mesh, topology, cut, count), {}, 0, {}};
   const SurfaceDivision& d = out.division;
@@ -55,8 +55,7 @@ Divided divide(const TriangleMesh& mesh, int count, const Edges& given = Edges(0
 }
 
 int loops_of(const MeshPiece& piece) {
-  return static_cast<int>(
-      boundary_loops(build_topology(piece.mesh.F, static_cast<int>(piece.mesh.V.rows()))).size());
+  return static_cast<int>(boundary_loops(build_topology(piece.mesh.F)).size());
 }
 
 double largest_share(const std::vector<double>& area) {
@@ -76,7 +75,7 @@ TEST(DivideSurface, HalvesASphereAlongAShortLoop) {
 
 TEST(DivideSurface, PiecesHaveAboutTheSameAreaAndNoTeeth) {
   const TriangleMesh sphere = test::sphere(12, 40);
-  const MeshTopology topology = build_topology(sphere.F, static_cast<int>(sphere.V.rows()));
+  const MeshTopology topology = build_topology(sphere.F);
   for (int count : {3, 4, 5, 6, 8, 12}) {
     const Divided made = divide(sphere, count);
     EXPECT_EQ(static_cast<int>(made.pieces.size()), count);
@@ -97,7 +96,7 @@ TEST(DivideSurface, ATorusIsOpenedWhateverTheNumber) {
     const Divided made = divide(test::torus(40, 16), count);
     EXPECT_EQ(static_cast<int>(made.pieces.size()), count);
     for (const MeshPiece& piece : made.pieces) {
-      const MeshTopology own = build_topology(piece.mesh.F, static_cast<int>(piece.mesh.V.rows()));
+      const MeshTopology own = build_topology(piece.mesh.F);
       EXPECT_EQ(handle_count(own, loops_of(piece)), 0);
       if (count > 1) {
         EXPECT_EQ(loops_of(piece), 1) << count;
@@ -147,7 +146,7 @@ TEST(DivideSurface, IsTheSameEveryTime) {
 
 TEST(DivideSurface, RefusesWhatCantBe) {
   const TriangleMesh patch = test::flat_patch();
-  const MeshTopology topology = build_topology(patch.F, static_cast<int>(patch.V.rows()));
+  const MeshTopology topology = build_topology(patch.F);
   EXPECT_THROW(divide_surface(patch, topology, {}, 0), InvalidInput);
   const int most = static_cast<int>(patch.F.rows()) / least_faces_of_piece;
   EXPECT_THROW(divide_surface(patch, topology, {}, most + 1), InvalidInput);

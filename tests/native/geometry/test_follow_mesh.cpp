@@ -43,7 +43,7 @@ TriangleMesh plate(double x, double radius, int holes = 1) {
     if (outside) rows.push_back(f);
   }
   UsedPart part = used_part(mesh.V, mesh.F(rows, Eigen::all));
-  const MeshTopology topology = build_topology(part.mesh.F, part.mesh.V.rows());
+  const MeshTopology topology = build_topology(part.mesh.F);
   for (const std::vector<int>& loop : boundary_loops(topology)) {
     for (int v : loop) {  // onto the circle
       for (int hole = 0; hole < holes; ++hole) {
@@ -99,6 +99,28 @@ TEST(FollowMesh, GoesAlongWithAHoleThatMoves) {
     const Eigen::RowVector3d corner(x, x, -0.002 * 2 * x * x);
     EXPECT_LT((followed.mesh.V.rowwise() - corner).rowwise().norm().minCoeff(), 1e-9);
   }
+}
+
+// Two surfaces as parts of one.
+TriangleMesh both(const TriangleMesh& a, const TriangleMesh& b) {
+  TriangleMesh out{Points3(a.V.rows() + b.V.rows(), 3), Triangles(a.F.rows() + b.F.rows(), 3)};
+  out.V << a.V, b.V;
+  out.F << a.F, b.F.array() + static_cast<int>(a.V.rows());
+  return out;
+}
+
+TEST(FollowMesh, SmoothsAnOpenPartBesideAClosedOneAsByItself) {
+  TriangleMesh ball = test::sphere(12, 30);
+  ball.V.col(2).array() += 60;
+  const TriangleMesh plate_tiles = remesh(plate(0, 18), {L}).mesh, moved = plate(6, 18);
+  const FollowedMesh alone = follow_mesh(plate_tiles, moved, {L});
+  const FollowedMesh beside =
+      follow_mesh(both(plate_tiles, remesh(ball, {L}).mesh), both(moved, ball), {L});
+  ASSERT_EQ(beside.obstacle, "");
+  const Eigen::Index count = plate_tiles.V.rows();
+  ASSERT_EQ(alone.mesh.V.rows(), count);
+  const Points3 away = beside.mesh.V.topRows(count) - alone.mesh.V;
+  EXPECT_LT(away.rowwise().norm().maxCoeff(), 0.1 * L);
 }
 
 TEST(FollowMesh, InsertsAndRemovesTilesWhereASurfaceGrowsOrShrinks) {

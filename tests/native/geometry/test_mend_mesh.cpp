@@ -31,7 +31,7 @@ TriangleMesh without(const TriangleMesh& mesh, const std::vector<int>& faces) {
 }
 
 std::size_t loops_of(const TriangleMesh& mesh) {
-  return boundary_loops(build_topology(mesh.F, static_cast<int>(mesh.V.rows()))).size();
+  return boundary_loops(build_topology(mesh.F)).size();
 }
 
 void expect_mended(const TriangleMesh& mesh, const MendOptions& options) {

@@ -177,7 +177,7 @@ TEST(CleanMesh, SliversGoWithoutAGap) {
   EXPECT_EQ(kinds(clean.mesh), Kinds{});
   EXPECT_EQ(clean.mesh.F.rows(), 4);
   EXPECT_NEAR(surface_area(clean.mesh), 1600, 1e-9);
-  EXPECT_EQ(boundary_loops(build_topology(clean.mesh.F, clean.mesh.V.rows())).at(0).size(), 4u);
+  EXPECT_EQ(boundary_loops(build_topology(clean.mesh.F)).at(0).size(), 4u);
 }
 
 // Faces without area between the points a, left... and right... of one straight edge, in any
@@ -197,7 +197,7 @@ TEST(CleanMesh, StitchedSeamsCloseWhateverTheirSlivers) {
   std::mt19937 random(11);
   for (int round = 0; round < 300; ++round) {
     TriangleMesh mesh = test::flat_square(6, 60);
-    const MeshTopology topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
+    const MeshTopology topology = build_topology(mesh.F);
     std::vector<Vec3> points;
     for (int v = 0; v < mesh.V.rows(); ++v) points.push_back(mesh.V.row(v));
     std::vector<std::array<int, 3>> faces;
@@ -242,7 +242,7 @@ TEST(CleanMesh, StitchedSeamsCloseWhateverTheirSlivers) {
     const CleanMesh clean = clean_mesh(seamed);
     ASSERT_EQ(kinds(clean.mesh), Kinds{}) << "round " << round;
     EXPECT_NEAR(surface_area(clean.mesh), 3600, 1e-8);
-    EXPECT_EQ(boundary_loops(build_topology(clean.mesh.F, clean.mesh.V.rows())).at(0).size(), 24u);
+    EXPECT_EQ(boundary_loops(build_topology(clean.mesh.F)).at(0).size(), 24u);
     if (slivers > 0) {
       ASSERT_EQ(clean.notes.size(), 1u) << clean.notes[0];
       EXPECT_EQ(clean.notes[0], std::to_string(slivers) + " faces without area removed");

@@ -12,23 +12,20 @@ TEST(OverlappingBoxes, AreThoseOfAllPairs) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> place(-50, 50), size(0, 9);
   const int n = 200;
-  Points3 low(n, 3), high(n, 3);
-  for (int i = 0; i < n; ++i) {
+  std::vector<Eigen::AlignedBox3d> boxes(n);
+  for (Eigen::AlignedBox3d& box : boxes) {
     for (int d = 0; d < 3; ++d) {
-      low(i, d) = place(random);
-      high(i, d) = low(i, d) + size(random);
+      box.min()[d] = place(random);
+      box.max()[d] = box.min()[d] + size(random);
     }
   }
   std::vector<std::array<int, 2>> expected;
   for (int i = 0; i < n; ++i) {
     for (int j = i + 1; j < n; ++j) {
-      if ((low.row(i).array() <= high.row(j).array()).all() &&
-          (low.row(j).array() <= high.row(i).array()).all()) {
-        expected.push_back({i, j});
-      }
+      if (boxes[i].intersects(boxes[j])) expected.push_back({i, j});
     }
   }
-  EXPECT_EQ(overlapping_boxes(low, high), expected);
+  EXPECT_EQ(overlapping_boxes(boxes), expected);
 }
 
 }  // namespace

@@ -33,13 +33,13 @@ double volume(const TriangleMesh& mesh) {
 }
 
 int shells(const TriangleMesh& mesh) {
-  const MeshTopology topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
+  const MeshTopology topology = build_topology(mesh.F);
   const std::vector<int> of = face_components(topology, {});
   return of.empty() ? 0 : *std::max_element(of.begin(), of.end()) + 1;
 }
 
 void expect_closed(const TriangleMesh& mesh) {
-  for (const MeshEdge& edge : build_topology(mesh.F, static_cast<int>(mesh.V.rows())).edges) {
+  for (const MeshEdge& edge : build_topology(mesh.F).edges) {
     EXPECT_FALSE(edge.boundary());
   }
 }

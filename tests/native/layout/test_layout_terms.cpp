@@ -60,12 +60,14 @@ TEST(LayoutTerms, EveryDerivativeMatchesFiniteDifferences) {
   const Sample sample;
   std::set<std::string_view> names;
   for (const auto& function : make_energies(sample.model)) {
+    SCOPED_TRACE(std::string(function->name()));
     names.insert(function->name());
     expect_jacobians(*function, sample.state);
     test::expect_derivatives(*function, sample.state, std::vector<char>(sample.state.rows(), 1),
                              test::Curvature::gauss_newton);
   }
   for (const auto& function : make_constraints(sample.model)) {
+    SCOPED_TRACE(std::string(function->name()));
     names.insert(function->name());
     expect_jacobians(*function, sample.state);
     test::expect_derivatives(*function, sample.state, std::vector<char>(sample.state.rows(), 1),

@@ -78,7 +78,7 @@ TEST(ConeProgram, SaysHowMuchFrictionIsToSpareOrLacking) {
   DenseMap map = body_on(4);
   for (double angle : {0.1, 0.6}) {
     ConeOptions options{0.3, false, 1e-8};
-    options.weight = Eigen::VectorXd::Ones(4);
+    options.friction = true;
     options.floor = 0.2;
     const Vec3 b = on_slope(2, angle);
     const ConeSolution solution = solve(map, b, options);

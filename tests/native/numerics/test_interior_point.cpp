@@ -75,9 +75,8 @@ class Parabola : public Residuals {
 struct Problem {
   explicit Problem(int blocks) : goal(Vector::Zero(blocks, 9)) {}
   InteriorPoint method() {
-    Terms<9> energies;
+    ResidualsList energies, constraints;
     energies.push_back(std::make_unique<Distance>(goal));
-    std::vector<std::unique_ptr<Residuals>> constraints;
     constraints.push_back(std::make_unique<Distances>(apart));
     return {std::move(energies), std::move(constraints), bounds};
   }
@@ -156,9 +155,8 @@ TEST(InteriorPoint, ViolatesNoConstraintByMoreThanItMay) {
       goal(0, 0) = 0.01 * k;
       goal(0, 1) = 0.4;
       z(0, 0) = 1;
-      Terms<9> energies;
+      ResidualsList energies, constraints;
       energies.push_back(std::make_unique<Distance>(goal));
-      std::vector<std::unique_ptr<Residuals>> constraints;
       constraints.push_back(std::make_unique<Parabola>());
       InteriorPoint method(std::move(energies), std::move(constraints), {});
       const SolveReport report = method.run(z, levels, 100, "test", {});

@@ -48,7 +48,7 @@ struct Levels {
       : design(spread_design(hexagon(2, test::cap_height), 1.35, 1.2)),
         geometry(make_geometry(design.mesh, design.cuts, design.parameters)),
         wrenches(nested_wrenches(design, geometry)),
-        reference(extrapolate<Wrenches>(wrenches[levels - 1], wrenches[levels - 2])) {}
+        reference(extrapolate(wrenches[levels - 1], wrenches[levels - 2])) {}
   Design design;
   DesignGeometry geometry;
   std::array<Wrenches, levels> wrenches;
@@ -98,7 +98,7 @@ TEST_F(Convergence, IsOfFirstOrderInForcesTorquesAndNormalForces) {
 }
 
 TEST_F(Convergence, TheDefaultsErrorIsSmallAndStated) {
-  const Wrenches extrapolated = extrapolate<Wrenches>(wrenches_[1], wrenches_[0]);
+  const Wrenches extrapolated = extrapolate(wrenches_[1], wrenches_[0]);
   const double error = normal_error(extrapolated);
   EXPECT_LT(error, 0.015);
   EXPECT_LT(error, 0.5 * normal_error(wrenches_[1]));

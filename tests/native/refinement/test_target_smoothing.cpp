@@ -94,7 +94,7 @@ TEST(TargetSmoothing, MakesBackFacesAndRoomWithLittleMovement) {
   const double largest = *std::max_element(smoothed.move.begin(), smoothed.move.end());
   EXPECT_LE(largest, 5);
   EXPECT_GT(largest, 0.1);
-  const MeshTopology topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
+  const MeshTopology topology = build_topology(mesh.F);
   for (const MeshEdge& edge : topology.edges) {
     if (!edge.boundary()) continue;
     for (int v : edge.v) EXPECT_EQ(smoothed.move[v], 0) << "of the boundary";
@@ -110,7 +110,7 @@ TEST(TargetSmoothing, MakesRoomUnderMembranesAndMovesTheBorderWhereNothingElseDo
   const ClearanceProgram program(smoothed.mesh, none, parameters, true);
   const std::vector<SmallPin> lacking = program.lacking(program.geometry(smoothed.mesh));
   EXPECT_EQ(lacking.size(), smoothed.remaining.size());
-  const MeshTopology topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
+  const MeshTopology topology = build_topology(mesh.F);
   double of_border = 0;
   for (const MeshEdge& edge : topology.edges) {
     if (!edge.boundary()) continue;
@@ -182,8 +182,6 @@ TEST(TargetSmoothing, StaysWithinItsBoundAndKeepsWhatIsNamed) {
   kept << moved, moved;
   EXPECT_EQ(smooth_target(mesh, none, kept, 3, parameters, {}).move[moved], 0);
   EXPECT_THROW(smooth_target(mesh, none, none, -1, parameters, {}), InvalidInput);
-  EXPECT_THROW(smooth_target(mesh, none, Edges::Constant(1, 2, 9999), 1, parameters, {}),
-               InvalidInput);
   EXPECT_THROW(smooth_target(mesh, none, none, 3, parameters,
                              [](const std::string&, double) { return false; }),
                Cancelled);

@@ -24,14 +24,9 @@ _PAUSE = 0.03  # s between two picks while the mouse moves
 
 @dataclass(frozen=True)
 class Pick:
-    """A point on a tile, row of F, and the edge of that tile that is nearest to it.
+    """A point on a tile, as drawn, mm, and the edge of that tile that is nearest to it. `vertices`: its ends
+    in the mesh. `ends`: the edge as it is drawn in front, 2 x 3 mm."""
 
-    `edge`: 0 to 2, from the tile's corner of that number to the next one. `vertices`: its ends in the mesh.
-    `point`: as drawn, mm. `ends`: the edge as it is drawn in front, 2 x 3 mm."""
-
-    overlay: Overlay
-    tile: int
-    edge: int
     vertices: tuple[int, int]
     point: np.ndarray
     ends: np.ndarray
@@ -62,7 +57,7 @@ def _on_tile(overlay: Overlay, tile: int, world: np.ndarray) -> Pick:
     edge = int(np.argmin(np.linalg.norm(nearest - point, axis=1)))
     a, b = (int(overlay.scene.F[tile, k]) for k in (edge, (edge + 1) % 3))  # type: ignore[union-attr]
     drawn = np.array([placement.multVec(FreeCAD.Vector(*map(float, end))) for end in ends[edge]])
-    return Pick(overlay, tile, edge, (a, b), world, drawn)
+    return Pick((a, b), world, drawn)
 
 
 class PickTool:

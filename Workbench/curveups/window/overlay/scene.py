@@ -358,7 +358,7 @@ def _by_name(fields: list[Field]) -> dict[str, Field]:
 
 
 def _deviation(project: Any, V: np.ndarray, F: np.ndarray, part: str) -> list[Field]:
-    """No field if the surface before remeshing is not known: that of a design file, say."""
+    """Field of deviation; none if the surface before remeshing is not known, as of a design file."""
     target = project.latest("target")
     return [] if target is None else [deviation_field(V, F, part, *target.given)]
 
