@@ -49,7 +49,6 @@ void bind_settled(py::module_& module) {
       .def_readonly("margin", &Settled::margin)
       .def_readonly("friction_needed", &Settled::friction_needed)
       .def_readonly("window", &Settled::window)
-      .def_readonly("contact_force", &Settled::contact_force, "Normal force of each contact, N.")
       .def_readonly("deviation", &Settled::deviation,
                     "Mean distance of each tile from the design's surface, mm.")
       .def_readonly("iterations", &Settled::iterations);
